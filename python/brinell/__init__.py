@@ -16,16 +16,16 @@ from importlib import import_module
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
-from brinell import _processor  # noqa: F401 (looks at this machine before the extension is loaded)
+from brinell import _processor  # noqa: F401 (checks the processor before the extension is loaded)
 
-# Threads look for a moment whether the others are done before they sleep, as in apps/brinell/main.cpp, which says why.
-# OpenMP reads this when the extension is loaded; what a user has set stays.
+# Waiting threads spin for a short time before they sleep; apps/brinell/main.cpp does the same and says why.
+# OpenMP reads these variables when the extension is loaded. A value that the user has set is kept.
 if "OMP_WAIT_POLICY" not in os.environ:
     os.environ.setdefault("GOMP_SPINCOUNT", "1000")
     os.environ["OMP_WAIT_POLICY"] = "passive"
 
 from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
-from brinell._arguments import tell_of_arguments
+from brinell._arguments import explain_argument_errors
 from brinell._names import did_you_mean
 from brinell.bodies import (
     Berkovich,
@@ -79,7 +79,7 @@ if TYPE_CHECKING:
     from brinell import asperities, export, plot, report, sweeps
     from brinell.sweeps import sweep
 
-# A child that multiprocessing forks has only the thread that forked it.
+# After a fork by multiprocessing the child process has only the thread that called fork: the engine's threads are gone.
 os.register_at_fork(before=_core.before_fork, after_in_parent=_core.after_fork, after_in_child=_core.after_fork)
 
 __version__ = version("brinell")
@@ -152,16 +152,16 @@ __all__ = [
     "sweeps",
 ]
 __all__ += scenarios.__all__
-tell_of_arguments(sys.modules[__name__])
+explain_argument_errors(sys.modules[__name__])
 
 
 def __getattr__(name: str) -> Any:
-    """What takes long to import, pandas and matplotlib above all, is imported when asked for."""
+    """Imports the slow modules (those that need pandas and matplotlib) when they are first used."""
     if name == "sweep":
         return import_module("brinell.sweeps").sweep
     if name in ("asperities", "export", "plot", "report", "sweeps"):
         return import_module(f"brinell.{name}")
-    hint = "" if name.startswith("_") else did_you_mean(name, __all__)  # others than people ask for these
+    hint = "" if name.startswith("_") else did_you_mean(name, __all__)  # tools, not users, look up private names
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}{'; ' if hint else ''}{hint.strip()}")
 
 

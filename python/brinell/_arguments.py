@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong arguments of the public classes: told with what was probably meant, where Python has a bare TypeError.
+"""Error messages for wrong arguments of the public classes: allowed arguments and a suggestion instead of a TypeError.
 
-Python 3.13 suggests a name, too, but neither says what is allowed nor looks into the tables of a scenario, and the
+Python 3.13 suggests a name, too, but it neither lists the allowed arguments nor searches the tables of a scenario, and
 earlier versions suggest nothing.
 """
 
@@ -18,26 +18,27 @@ from typing import Any
 from brinell._names import did_you_mean
 from brinell.errors import ArgumentError
 
-__all__ = ["tell_of_arguments"]
+__all__ = ["explain_argument_errors"]
 
 
-def tell_of_arguments(package: ModuleType) -> None:
-    """Lets the public classes of a package, and those of the modules that it offers, tell of wrong arguments.
+def explain_argument_errors(package: ModuleType) -> None:
+    """Makes the public classes of a package and of its public modules raise `ArgumentError` for wrong arguments.
 
     Args:
-        package: `__all__` names them. What is imported only when asked for calls this itself.
+        package: package whose `__all__` names the classes and modules. Modules that are imported lazily call this
+            function themselves.
     """
     for name in package.__all__:
         found = vars(package).get(name)
         if isinstance(found, ModuleType) and hasattr(found, "__all__"):
-            tell_of_arguments(found)
+            explain_argument_errors(found)
         elif isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
-            _tell(found, f"{package.__name__}.{name}")
+            _explain_errors_of(found, f"{package.__name__}.{name}")
 
 
-def _tell(kind: type, name: str) -> None:
+def _explain_errors_of(kind: type, name: str) -> None:
     original: Callable[..., None] = vars(kind)["__init__"]
-    if issubclass(kind, Exception) or hasattr(original, "tells_of_arguments"):
+    if issubclass(kind, Exception) or hasattr(original, "explains_argument_errors"):
         return
 
     @functools.wraps(original)
@@ -49,14 +50,14 @@ def _tell(kind: type, name: str) -> None:
                 raise ArgumentError(f"{name}: {reason}") from None
             raise
 
-    initialise.tells_of_arguments = True  # type: ignore[attr-defined]
+    initialise.explains_argument_errors = True  # type: ignore[attr-defined]
     kind.__init__ = initialise  # type: ignore[method-assign]
 
 
 def _reason(
     function: Callable[..., None], args: tuple[Any, ...], given: Mapping[str, Any], parts: Mapping[str, type]
 ) -> str:
-    """What is wrong with arguments of a method; empty if it takes them, so that the error is from inside it."""
+    """Describes what is wrong with the arguments of a method; empty if they fit, so the error came from inside it."""
     _, *parameters = inspect.signature(function).parameters.values()
     known = {parameter.name: parameter for parameter in parameters}
     by_place = [name for name, one in known.items() if one.kind is inspect.Parameter.POSITIONAL_OR_KEYWORD]
@@ -79,7 +80,7 @@ def _reason(
 
 
 def _hint(name: str, known: Mapping[str, Any], parts: Mapping[str, type]) -> str:
-    """Where a name that is none belongs: a similar one, or an argument of a table of the same case."""
+    """Hint for an unknown argument: a similar name, or the table of the same case to which the name belongs."""
     for part, kind in parts.items():
         if part in known and name in [field.name for field in fields(kind)]:
             return f"{name} belongs into {part} = brinell.{kind.__name__}({name}=...); "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays on their way to the engine, which takes contiguous ones of doubles and uses them where they lie."""
+"""Checks and conversion of arguments for the engine, which uses contiguous arrays of doubles in place."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ Array: TypeAlias = NDArray[np.float64]
 
 
 def contiguous(values: ArrayLike, name: str) -> Array:
-    """The same values, x fastest in memory; not copied if they already lie so.
+    """Converts values to a C-contiguous array of doubles (x fastest); copies only if that is necessary.
 
     Args:
-        values: of any real type.
-        name: for the message.
+        values: array of any real type.
+        name: name of the argument, for the error message.
 
     Raises:
-        InputError: they are not real and finite, or masked.
+        InputError: the values are not real and finite, or some are masked.
     """
     require_unmasked(values, name)
     try:
@@ -50,7 +50,7 @@ def contiguous(values: ArrayLike, name: str) -> Array:
 
 
 def require_unmasked(values: object, name: str) -> None:
-    """Raises InputError if an array is masked somewhere: NumPy would take what lies under the mask for values."""
+    """Raises InputError if an array has masked values: NumPy would use the numbers under the mask."""
     masked = int(np.count_nonzero(np.ma.getmaskarray(values))) if isinstance(values, np.ma.MaskedArray) else 0
     if masked > 0:
         raise InputError(
@@ -70,14 +70,15 @@ _UNITS = {
     "velocity": "m/s",
     **dict.fromkeys(("friction", "poisson_ratio", "C"), ""),
 }
-"""Of the numbers that functions of the floors take, by their names; SI where a name is not here."""
+"""Units of scalar arguments by their names, for error messages; a name that is missing here is reported as SI."""
 
 
 def number(value: object, name: str) -> float:
-    """The same as a finite number.
+    """Converts a scalar argument to a finite float.
 
     Raises:
-        InputError: it is none, as a text with a unit: those belong to cases and materials.
+        InputError: the value is not a finite number. Text with a unit is refused, too: only cases and materials
+            accept it.
     """
     unit = _UNITS.get(name, "SI")
     allowed = f"a finite number, in {unit}" if unit else "a finite number without a unit"
@@ -95,30 +96,30 @@ def number(value: object, name: str) -> float:
 
 
 def numbers(**values: object) -> list[float]:
-    """Several numbers by their names.
+    """Converts several scalar arguments, given by their names, as `number` does.
 
     Raises:
-        InputError: as `number`.
+        InputError: a value is not a finite number.
     """
     return [number(value, name) for name, value in values.items()]
 
 
 def points(**coordinates: ArrayLike) -> tuple[tuple[int, ...], list[Array]]:
-    """Coordinates of points, broadcast against each other.
+    """Broadcasts coordinates of points against each other.
 
     Returns:
-        Their common shape, and each of them as one row of that many numbers.
+        The common shape, and each coordinate as a flat array of that size.
 
     Raises:
-        InputError: the shapes do not go together.
+        InputError: the shapes cannot be broadcast to a common shape.
     """
     arrays = [contiguous(values, name) for name, values in coordinates.items()]
     try:
-        spread = np.broadcast_arrays(*arrays)
+        broadcast = np.broadcast_arrays(*arrays)
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(coordinates, arrays, strict=True))
         raise InputError(f"the shapes of the coordinates do not go together: {shapes}") from None
-    return spread[0].shape, [np.ascontiguousarray(array).reshape(-1) for array in spread]
+    return broadcast[0].shape, [np.ascontiguousarray(array).reshape(-1) for array in broadcast]
 
 
 def require_positive(**values: float) -> None:
@@ -138,7 +139,7 @@ def require_poisson(poisson_ratio: object) -> None:
     """Checks a Poisson's ratio.
 
     Raises:
-        InputError: it is not in (-1, 0.5].
+        InputError: the value is not in (-1, 0.5].
     """
     if not -1.0 < number(poisson_ratio, "poisson_ratio") <= 0.5:
         raise InputError(f"poisson_ratio = {poisson_ratio}; allowed: in (-1, 0.5]. A steel has about 0.3")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Area and patches of a solved contact, of `brinell.contact`."""
+"""Contact area and contact patches of a solved contact: part of `brinell.contact`."""
 
 from __future__ import annotations
 
@@ -21,15 +21,16 @@ def _modulus(contact_modulus: float) -> float:
 
 
 def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modulus: float) -> float:
-    """Area of a solved contact [m^2], finer than its cells: the edge lies where pressure inside and gap outside say.
+    """Area of a solved contact [m^2] with a resolution finer than one cell.
 
-    Contact that reaches the end of the grid ends with its cells there, and so does that under a body with an edge.
+    The position of the contact edge is estimated from the pressure inside and the gap outside. At the end of the grid,
+    and under a body with a sharp edge, the area ends with the cells.
 
     Args:
-        grid: of the fields.
-        pressure: (ny, nx), >= 0 [Pa].
-        gap: (ny, nx) between the deformed surfaces [m].
-        contact_modulus: E' of the pair [Pa].
+        grid: grid of the fields.
+        pressure: (ny, nx) contact pressure, >= 0 [Pa].
+        gap: (ny, nx) gap between the deformed surfaces [m].
+        contact_modulus: contact modulus E' of the pair [Pa].
 
     Raises:
         InputError: a wrong shape, or a modulus that is not above 0.
@@ -41,13 +42,15 @@ def contact_area(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """The patches of a contact: cells under pressure that hang together by their sides, over the ends of a period, too.
+    """Contact patches: connected sets of cells under pressure.
+
+    Cells are connected by their sides, on periodic axes also across the ends of the grid.
 
     Attributes:
-        label: (ny, nx), the number of the patch that a cell is in, from 0; -1 without pressure.
-        area: of each patch, finer than its cells [m^2]; they add up to `contact_area`.
-        load: of each patch [N].
-        cells: of each patch.
+        label: (ny, nx) number of the patch of each cell, from 0; -1 without pressure.
+        area: (patches,) area of each patch with a resolution finer than one cell [m^2]; the sum is `contact_area`.
+        load: (patches,) load of each patch [N].
+        cells: (patches,) number of cells of each patch.
     """
 
     label: NDArray[np.int64]
@@ -63,13 +66,13 @@ class Patches:
 
 
 def patches(grid: SurfaceGrid, pressure: ArrayLike, gap: ArrayLike, contact_modulus: float) -> Patches:
-    """The patches of a solved contact.
+    """Finds the contact patches of a solved contact.
 
     Args:
-        grid: of the fields; where it is periodic, patches go on over its ends.
-        pressure: (ny, nx), >= 0 [Pa].
-        gap: (ny, nx) between the deformed surfaces [m].
-        contact_modulus: E' of the pair [Pa].
+        grid: grid of the fields; along periodic axes patches continue across the ends.
+        pressure: (ny, nx) contact pressure, >= 0 [Pa].
+        gap: (ny, nx) gap between the deformed surfaces [m].
+        contact_modulus: contact modulus E' of the pair [Pa].
 
     Raises:
         InputError: a wrong shape, or a modulus that is not above 0.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether this machine's processor can run what was compiled: otherwise Linux would end Python without a word."""
+"""Check that the processor supports the compiled instructions; otherwise Linux would kill Python without a message."""
 
 from __future__ import annotations
 
@@ -16,17 +16,18 @@ _HOW = "docs/install.md#wheels"
 
 
 def require_processor(features: Set[str] = FEATURES, info: Path = _INFO) -> None:
-    """Looks at this machine before the extension is loaded.
+    """Checks the processor; must be called before the extension is loaded.
 
     Args:
-        features: what the processor must have.
-        info: where Linux says what it has; without such a file nothing is required.
+        features: names of the processor features that the extension needs.
+        info: file in which Linux lists the features of the processor; without this file nothing is checked.
 
     Raises:
-        ImportError: it has not got all of it; in the command SystemExit with one line.
+        ImportError: a feature is missing.
+        SystemExit: a feature is missing, and the program is the command ``brinell``; the message is one line.
     """
-    there = _flags(info) if features else None
-    missing = sorted(features - there) if there is not None else []
+    available = _flags(info) if features else None
+    missing = sorted(features - available) if available is not None else []
     if not missing:
         return
     kind = "the processor of another machine" if ARCH == "native" else f"processors of the kind {ARCH}"
@@ -40,9 +41,11 @@ def require_processor(features: Set[str] = FEATURES, info: Path = _INFO) -> None
 
 
 def _flags(info: Path) -> Set[str] | None:
-    """Of the first processor; None if nothing is told."""
+    """Features of the first processor; None if the file is missing or lists none."""
     try:
-        with info.open(encoding="ascii", errors="replace") as lines:  # Linux writes it line by line
+        with info.open(
+            encoding="ascii", errors="replace"
+        ) as lines:  # read only as far as needed: Linux generates the file line by line
             flags = next((line for line in lines if line.startswith("flags")), None)
     except OSError:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the reprs of several classes have in common, on a terminal and in a notebook."""
+"""Helpers for the reprs of several classes, on a terminal and in a notebook."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ __all__ = ["cells", "column_table", "fact_table"]
 
 
 def cells(shape: Sequence[int]) -> str:
-    """Size of a grid, x first: "16 x 8 x 4 cells".
+    """Size of a grid as text, x first: "16 x 8 x 4 cells".
 
     Args:
-        shape: (nz, ny, nx) or (ny, nx), of an array on it.
+        shape: shape (nz, ny, nx) or (ny, nx) of an array on the grid.
     """
     return f"{' x '.join(map(str, reversed(shape)))} cells"
 
 
 def fact_table(title: str, facts: Iterable[Sequence[str]], remarks: Iterable[str] = ()) -> str:
-    """HTML of a table with a row per fact, remarks under it.
+    """HTML table with one row per fact, and remarks below.
 
     Args:
-        title: above it.
-        facts: name and value, perhaps a further cell; as text.
-        remarks: a line each.
+        title: heading above the table.
+        facts: rows of text: name, value and optionally a further cell.
+        remarks: remarks, one line each.
     """
     rows = "".join(f"<tr>{_cells('td', fact, 'left')}</tr>" for fact in facts)
     lines = "".join(f"<div>{html.escape(remark)}</div>" for remark in remarks)
@@ -33,13 +33,13 @@ def fact_table(title: str, facts: Iterable[Sequence[str]], remarks: Iterable[str
 
 
 def column_table(title: str, columns: Mapping[str, Any], units: Mapping[str, str], most: int = 10) -> str:
-    """HTML of a table of columns, with names and units at the head; the middle of a long one is left out.
+    """HTML table of columns with names and units at the head; of a long table only the first and last rows.
 
     Args:
-        title: above it.
-        columns: arrays of one length, not of length 0.
-        units: of columns, "1" for a pure number.
-        most: rows that are shown.
+        title: heading above the table.
+        columns: arrays of equal length > 0, by name.
+        units: units by name of the column; "1" for a dimensionless column.
+        most: largest number of rows that are shown.
     """
     count = len(next(iter(columns.values())))
     shown = [*range(count)] if count <= most else [*range(most // 2), None, *range(count - most // 2, count)]

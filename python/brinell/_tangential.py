@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stick and slip under a given bound of the shear: part of `brinell.contact`."""
+"""Stick and slip under a given bound of the shear traction: part of `brinell.contact`."""
 
 from __future__ import annotations
 
@@ -23,21 +23,24 @@ __all__ = ["TangentialContact", "TangentialResult"]
 @renamed(dissipated="dissipation_friction", iterations="contact_iterations")
 @dataclass(frozen=True)
 class TangentialResult:
-    """A solved step of stick and slip.
+    """Result of one step of a stick-slip problem.
 
     Attributes:
-        shear_x: (ny, nx), on the lower body along x [Pa].
-        shear_y: (ny, nx), on the lower body along y [Pa].
-        slip_x: (ny, nx), of the upper surface over the lower one in this step, zero where the bound is [m].
-        slip_y: (ny, nx), the same along y [m].
-        sticks: (ny, nx), where the shear stays below a bound that is above zero.
-        dissipation: (ny, nx), shear at the end of the step times slip [J/m^2].
-        shift: along x and y, of the upper body past the lower one in this step, imposed or found [m].
-        force: along x and y, sum of the shear [N].
-        stick_area: of the cells that stick [m^2].
-        dissipation_friction: sum of the dissipation [J].
-        contact_iterations: of the conjugate gradients.
-        residual: largest slip where it sticks, and across or against the shear elsewhere [m].
+        shear_x: (ny, nx) shear traction on the lower body along x [Pa].
+        shear_y: (ny, nx) shear traction on the lower body along y [Pa].
+        slip_x: (ny, nx) slip along x of the upper surface relative to the lower one in this step; zero where the bound
+            is zero [m].
+        slip_y: (ny, nx) slip along y [m].
+        sticks: (ny, nx) true where the bound is above zero and the shear stays below it.
+        dissipation: (ny, nx) shear at the end of the step times slip [J/m^2].
+        shift: displacement along x and y of the upper body relative to the lower one in this step, imposed or found
+            for the imposed force [m].
+        force: tangential force along x and y on the lower body, the integral of the shear [N].
+        stick_area: area of the cells that stick [m^2].
+        dissipation_friction: energy dissipated in this step, the integral of `dissipation` [J].
+        contact_iterations: number of conjugate gradient iterations.
+        residual: largest error of the slip [m]: its size where the surfaces stick, its part across or against the
+            shear where they slip.
     """
 
     shear_x: Array
@@ -61,11 +64,12 @@ class TangentialResult:
 class TangentialContact:
     """Stick and slip of two elastic bodies under a given bound of the shear (Cattaneo 1938, Mindlin 1949).
 
-    Finds |q| <= bound and the slip s = shift - change - A (q - q_before) of a step, with s = 0 where |q| < bound and s
-    along q where |q| = bound. A is the displacement along the surface of the lower body less that of the upper one. The
-    shear acts on the lower body; the shift is that of the upper body past the lower one, of distant points, and on a
-    grid that is periodic along both axes that of the mean planes. The step is the minimum of a convex function, found
-    by conjugate gradients on discs (docs/theory/contact.md).
+    Each step finds the shear q with |q| <= bound and the slip s = shift - change - A (q - q_before), where s = 0 if
+    |q| < bound and s is along q if |q| = bound. A maps a shear to the tangential displacement of the lower surface
+    minus that of the upper one. The shear acts on the lower body. The shift is the displacement of the upper body
+    relative to the lower one, of points far from the contact; on a grid that is periodic along both axes it is that of
+    the mean planes. The solution is the minimum of a convex function, found by conjugate gradients with a projection on
+    discs (docs/theory/contact.md).
 
         contact = TangentialContact(grid, steel, steel)
         pushed = contact.step(0.3 * pressure, force_x=2.0)
@@ -73,16 +77,16 @@ class TangentialContact:
     """
 
     def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
-        """Plans the contact.
+        """Sets up the problem and its operators.
 
         Args:
-            grid: of all fields.
-            lower: one body; of its material only the elastic constants count.
-            upper: the other one.
-            reference: see `SurfaceCompliance`; the shift counts from there.
+            grid: grid of all fields.
+            lower: material of the lower body; only its elastic constants are used.
+            upper: material of the upper body; only its elastic constants are used.
+            reference: reference distance as in `SurfaceCompliance`, from which the shift is measured [m].
 
         Raises:
-            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
+            InputError: both bodies are rigid, a material is invalid, or `reference` is missing or not applicable.
         """
         self.grid = grid
         self.compliance = SurfaceCompliance(grid, lower, upper, reference=reference)
@@ -107,29 +111,31 @@ class TangentialContact:
         tolerance: float | None = None,
         max_iterations: int = 2000,
     ) -> TangentialResult:
-        """Solves one step of a history.
+        """Solves one step of a loading history.
 
         Args:
-            bound: (ny, nx), largest size of the shear, >= 0: friction coefficient times pressure, say [Pa].
-            shift_x: of the upper body in this step [m]; 0 if neither it nor the force is given.
-            shift_y: the same along y [m].
-            force_x: instead of the shift, the sum of the shear after the step [N].
-            force_y: the same along y [N].
-            spin: of the upper body in this step, about the middle of the grid, from x to y [rad].
-            before: the step before; None: no shear yet.
-            change_x: (ny, nx), what has been added in this step to the displacement of the lower surface less that of
-                the upper one by anything but shear, as by plastic strain [m].
-            change_y: (ny, nx), the same along y [m].
-            carried: rolling: by how many cells both surfaces have moved through the contact along x and y in this step,
-                with the shears before. The shift then is creepage times distance.
-            tolerance: largest residual [m]. None: 1e-7 of (sum of the bound)/(E' sqrt(area of the grid)), less than the
-                shift at which all slides.
-            max_iterations: after which it gives up.
+            bound: (ny, nx) largest magnitude of the shear, >= 0, for example friction coefficient times pressure [Pa].
+            shift_x: displacement of the upper body along x in this step [m]; 0 if neither `shift_x` nor `force_x` is
+                given.
+            shift_y: displacement of the upper body along y in this step [m]; the default is as for `shift_x`.
+            force_x: tangential force along x at the end of the step, instead of `shift_x` [N].
+            force_y: tangential force along y at the end of the step, instead of `shift_y` [N].
+            spin: rotation of the upper body in this step about the middle of the grid, positive from x to y [rad].
+            before: result of the previous step; None: there is no shear yet.
+            change_x: (ny, nx) change in this step of the displacement along x of the lower surface minus that of the
+                upper one, from causes other than the shear, such as plastic strain [m]; None: zero.
+            change_y: (ny, nx) the same along y [m]; None: zero.
+            carried: for rolling: number of cells along x and y by which both surfaces, and with them the shear of the
+                previous step, have moved through the contact in this step. The shift is then creepage times distance.
+            tolerance: largest accepted residual [m]. None: 1e-7 (integral of the bound)/(E' sqrt(area of the grid)),
+                which is far below the shift at which the whole contact slides.
+            max_iterations: largest number of iterations.
 
         Raises:
             ConvergenceError: the residual did not reach the tolerance.
             InputError: a wrong shape, a bound that is negative or not finite, both a shift and a force along one axis,
-                or a force that reaches the sum of the bound: then all slides, and only a shift can be imposed.
+                or a force that reaches the integral of the bound: the whole contact then slides, and only a shift can
+                be imposed.
         """
         drive = tangential_drive_of(shift_x, shift_y, force_x, force_y, spin)
         limit = contiguous(bound, "bound")
@@ -151,7 +157,7 @@ class TangentialContact:
 
 
 def load_tolerance(compliance: SurfaceCompliance, load: float) -> float:
-    """Largest residual if none is given: less than a load [N] presses the bodies together, or pushes them along [m]."""
+    """Default tolerance [m]: 1e-7 of the displacement scale load/(E' sqrt(area of the grid)), with the load in N."""
     length = math.sqrt(math.prod(compliance.grid.shape) * compliance.grid.cell_area)
     return 1e-7 * load / (compliance.contact_modulus * length)
 
@@ -159,7 +165,7 @@ def load_tolerance(compliance: SurfaceCompliance, load: float) -> float:
 def tangential_result(
     grid: SurfaceGrid, bound: Array, fields: list[Array], report: _core.TangentialReport
 ) -> TangentialResult:
-    """The result of the engine's fields: shears along x and y, slips along x and y."""
+    """Builds the result from the engine's fields: shear along x and y, slip along x and y."""
     shear_x, shear_y, slip_x, slip_y = fields
     sticks = (np.hypot(shear_x, shear_y) < _core.slip_threshold * bound) & (bound > 0.0)
     return TangentialResult(
@@ -181,7 +187,7 @@ def tangential_result(
 def tangential_drive_of(
     shift_x: float | None, shift_y: float | None, force_x: float | None, force_y: float | None, spin: float
 ) -> _core.TangentialDrive:
-    """What is imposed along the surface.
+    """Builds the engine's description of the imposed tangential motion or force.
 
     Raises:
         InputError: both a shift and a force are given along one axis, or a value is not finite.
@@ -198,18 +204,18 @@ def tangential_drive_of(
 
 
 def change_of(grid: SurfaceGrid, x: ArrayLike | None, y: ArrayLike | None) -> tuple[Array, Array] | None:
-    """Both fields of a change of the displacement, or None."""
+    """Both components of the change of displacement, with zeros for a missing one; None if both are missing."""
     if x is None and y is None:
         return None
-    nothing = np.zeros(grid.shape)
+    zeros = np.zeros(grid.shape)
     return (
-        nothing if x is None else contiguous(x, "change_x"),
-        nothing if y is None else contiguous(y, "change_y"),
+        zeros if x is None else contiguous(x, "change_x"),
+        zeros if y is None else contiguous(y, "change_y"),
     )
 
 
 def no_convergence(report: _core.TangentialReport) -> str:
-    """What to say of a step that has not converged."""
+    """Error message for a step that has not converged."""
     return (
         f"no convergence after {report.iterations} iterations: the slip's residual is {report.slip_error:.2e} m. "
         "A larger tolerance or max_iterations may help"

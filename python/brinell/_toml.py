@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The reader of TOML: Python's own from 3.11 on, and before that tomli, of which it was made."""
+"""The TOML parser: tomllib of the standard library from Python 3.11 on, before that tomli with the same interface."""
 
 import sys
 

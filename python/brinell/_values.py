@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Values of a case as TOML: what Python has for them, and the text behind --set."""
+"""Conversion of Python values to TOML, for the text of a case and for overrides as after --set."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from brinell.errors import InputError
 from brinell.surfaces.heightmap import HeightMap
 
 HeightMaps: TypeAlias = dict[str, NDArray[np.float64]]
-"""Heights [y, x] in m by the names that a case has for them."""
+"""Heights [y, x] in m by the names under which a case refers to them."""
 
 _MOST_INLINE = 1000
-"""Heights that may stand in the text of a case."""
+"""Largest number of heights that are written into the text of a case."""
 
 
 def overrides_of(values: Mapping[str, Any], maps: HeightMaps | None = None) -> list[str]:
-    """Dotted keys and their values as behind --set; each entry of a table by itself. `maps` as in `plain`."""
+    """Converts values by dotted keys to overrides "key=value", one for each entry of a table; `maps` as in `plain`."""
     return _overrides(plain(values, maps), "")
 
 
@@ -38,7 +38,7 @@ def _overrides(values: Mapping[str, Any], table: str) -> list[str]:
 
 
 def _inline(value: Any) -> str:
-    """A value as TOML on one line, where tomli_w would write a table of each entry of a list."""
+    """Formats a value as TOML on one line; tomli_w would write a list of dictionaries as an array of tables."""
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{key} = {_inline(entry)}" for key, entry in value.items()) + "}"
     if isinstance(value, list) and any(isinstance(entry, Mapping) for entry in value):
@@ -47,12 +47,16 @@ def _inline(value: Any) -> str:
 
 
 def plain(value: Any, maps: HeightMaps | None = None, key: str = "") -> Any:
-    """A value as TOML knows it: NumPy's numbers become Python's, arrays and tuples lists, paths text, parts tables.
+    """Converts a value to types of TOML: NumPy scalars, arrays, tuples, paths, and objects with `to_case`.
 
     Args:
-        value: of any kind that a case may have.
-        maps: takes height maps of many points, so that no text is made of them; they all become text if None.
-        key: its name in messages.
+        value: any value that a case may have.
+        maps: dictionary to which large height maps are added instead of being converted to text; None: all height maps
+            become text.
+        key: name of the value in messages.
+
+    Raises:
+        InputError: the value has a type that a case cannot have.
     """
     value = HeightMap.of_part(value)
     if isinstance(value, HeightMap) and maps is not None and value.heights.size > _MOST_INLINE:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bodies of a scenario: what they are where they touch, what lies on their surfaces, what they are made of.
+"""The bodies of a scenario: shape near the contact, texture of the surface, and material.
 
-Lengths are in m, or text with a unit such as "3.85 mm". The fields are the keys of the case file
-(docs/reference/case-file.md), which says what they mean and which values are allowed.
+Lengths are in m, or text with a unit such as "3.85 mm". The fields are the keys of the case file;
+docs/reference/case-file.md explains them and lists the allowed values.
 """
 
 from __future__ import annotations
@@ -36,31 +36,31 @@ Quantity: TypeAlias = float | str
 
 
 class Part(Protocol):
-    """Something that knows its table in a case file."""
+    """Object that can be written as a table of a case file."""
 
     def to_case(self) -> dict[str, Any]:
-        """As nested dictionaries."""
+        """The table as nested dictionaries."""
         ...
 
 
 class _Typed:
-    """A table of the case file: its type and the fields of a dataclass."""
+    """Dataclass whose type and fields are a table of the case file."""
 
     type: ClassVar[str]
 
     def to_case(self) -> dict[str, Any]:
-        """As nested dictionaries, without what is not given."""
+        """The table of the case file as a dictionary, without fields that are None."""
         values = {f.name: getattr(self, f.name) for f in fields(self)}  # type: ignore[arg-type]
         return {"type": self.type} | {name: value for name, value in values.items() if value is not None}
 
 
 class Shape(_Typed):
-    """Shape of a surface near the point where it touches."""
+    """Base class of the shapes of a surface near the point of first contact."""
 
 
 @dataclass(frozen=True)
 class Sphere(Shape):
-    """A sphere, as the paraboloid r^2/(2 radius)."""
+    """A sphere, approximated by the paraboloid r^2/(2 radius)."""
 
     type: ClassVar[str] = "sphere"
     radius: Quantity
@@ -68,9 +68,9 @@ class Sphere(Shape):
 
 @dataclass(frozen=True)
 class Ellipsoid(Shape):
-    """Two radii of curvature at the apex, in the planes x z and y z; below 0 for a hollow, as the groove of a raceway.
+    """A surface with two radii of curvature at the apex, in the planes xz and yz.
 
-    Both bodies together must be convex.
+    A negative radius is a concave surface, such as the groove of a raceway; the gap between both bodies must be convex.
     """
 
     type: ClassVar[str] = "ellipsoid"
@@ -80,7 +80,7 @@ class Ellipsoid(Shape):
 
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """A roller with its axis along y and plane ends; on a grid that is periodic along y it needs no length."""
+    """A roller with its axis along y and plane ends; the length is not needed on a grid that is periodic along y."""
 
     type: ClassVar[str] = "cylinder"
     radius: Quantity
@@ -89,7 +89,7 @@ class Cylinder(Shape):
 
 @dataclass(frozen=True)
 class Cone(Shape):
-    """A cone; the angle is that between axis and flank, in degrees or with a unit, "1.2 rad"."""
+    """A cone; `half_angle` is the angle between axis and flank, in degrees or as text with a unit, "1.2 rad"."""
 
     type: ClassVar[str] = "cone"
     half_angle: float | str
@@ -121,7 +121,7 @@ class Flat(Shape):
 
 @dataclass(frozen=True)
 class Dent(_Typed):
-    """A dent with its shoulder: depth 10^(-10 (r/radius)^2) cos(2 pi r/radius)."""
+    """A dent with a raised shoulder: depth 10^(-10 (r/radius)^2) cos(2 pi r/radius), centred at (x, y)."""
 
     type: ClassVar[str] = "dent"
     depth: Quantity
@@ -132,7 +132,7 @@ class Dent(_Typed):
 
 @dataclass(frozen=True)
 class Bump(_Typed):
-    """A dent upside down."""
+    """A bump of the shape of an inverted `Dent`, centred at (x, y)."""
 
     type: ClassVar[str] = "bump"
     height: Quantity
@@ -143,9 +143,9 @@ class Bump(_Typed):
 
 @dataclass(frozen=True)
 class Sinusoid(_Typed):
-    """Waves: the height amplitude cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).
+    """A wavy surface: height amplitude cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).
 
-    Along an axis without a wavelength there are no waves.
+    Along an axis whose wavelength is None the height is constant.
     """
 
     type: ClassVar[str] = "sinusoid"
@@ -158,19 +158,20 @@ class Sinusoid(_Typed):
 
 @dataclass(frozen=True)
 class RandomSurface(_Typed):
-    """Roughness: Gaussian, isotropic, self-affine between two wavelengths, the same for any cells and on any machine.
+    """Random roughness: Gaussian, isotropic, self-affine between two wavelengths.
 
-    Its power spectral density is constant down to the wavelength `rolloff`, falls as q^(-2 (1 + hurst)) from there to
-    `cutoff` and is zero for shorter waves. The heights themselves: `brinell.surfaces.random`.
+    The power spectral density is constant for wavelengths above `rolloff`, falls as q^(-2 (1 + hurst)) from there to
+    `cutoff`, where q is the wavenumber, and is zero for shorter waves. The surface depends neither on the cell size nor
+    on the machine. `brinell.surfaces.random` computes the heights.
 
     Args:
         cutoff: shortest wavelength.
-        rms_height: root mean square of the height over a period; or
-        rms_slope: that of the gradient's length. One of the two.
-        hurst: exponent of Hurst.
-        rolloff: wavelength above which waves are not higher any more; None: self-affine up to the size.
-        size: (along x, along y), period and longest wavelength; None: 8 rolloff.
-        seed: other numbers give other surfaces of the same spectrum.
+        rms_height: root mean square of the height over a period. Exactly one of `rms_height` and `rms_slope` is given.
+        rms_slope: root mean square of the magnitude of the gradient [-].
+        hurst: Hurst exponent [-].
+        rolloff: wavelength above which the spectrum is constant; None: self-affine up to `size`.
+        size: period along x and y, which is the longest wavelength; None: 8 rolloff.
+        seed: seed of the random numbers; other seeds give other surfaces with the same spectrum.
     """
 
     type: ClassVar[str] = "random"
@@ -188,10 +189,13 @@ class Body:
     """One of the two bodies.
 
     Args:
-        shape: where it touches.
+        shape: shape near the point of first contact, such as `Sphere`.
         material: `brinell.Material` or `brinell.RIGID`.
-        texture: what lies on its surface: `Dent`, `Bump`, `Sinusoid`, `RandomSurface`, `brinell.HeightMap` or a map of
-            SurfaceTopography, or a list of them, which add up; None: smooth.
+        texture: heights added to the shape: `Dent`, `Bump`, `Sinusoid`, `RandomSurface`, `brinell.HeightMap` or a
+            topography of the package SurfaceTopography, or a list of them, which are summed; None: smooth.
+
+    Raises:
+        InputError: shape, material or texture is of another type.
     """
 
     shape: Shape
@@ -225,7 +229,7 @@ class Body:
                     raise InputError(f"{name} = {part!r} of a body; allowed: {allowed}")
 
     def to_case(self) -> dict[str, Any]:
-        """As nested dictionaries."""
+        """The tables of the body in the case file, as nested dictionaries."""
         tables: dict[str, Any] = {"shape": self.shape.to_case(), "material": self.material.to_case()}
         if self.texture is None:
             return tables
@@ -234,5 +238,5 @@ class Body:
         return tables | {"texture": self.texture.to_case()}
 
     def parts(self) -> dict[str, Any]:
-        """By their keys, as they are: a case takes the heights of a map without making text of them."""
+        """Shape, material and texture as objects, so that a case can pass the heights of a map on without text."""
         return {"shape": self.shape, "material": self.material, "texture": self.texture}

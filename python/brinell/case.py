@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A case: what is to be computed, from a TOML file, from text, or from Python (`brinell.scenarios`)."""
+"""A case: the definition of a computation, from a TOML file, from text, or from Python (`brinell.scenarios`)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from brinell._values import HeightMaps, overrides_of, plain
 from brinell.errors import InputError
 from brinell.stepping import Stepping
 
-with warnings.catch_warnings():  # a notebook without ipywidgets gets the bar of a terminal, without a word
+with warnings.catch_warnings():  # in a notebook without ipywidgets tqdm warns and shows the bar of a terminal
     warnings.simplefilter("ignore")
     from tqdm.auto import tqdm
 
@@ -34,25 +34,26 @@ __all__ = ["Case", "CaseWarning", "HeightMaps", "OldNameWarning", "Progress", "R
 _T = TypeVar("_T")
 
 Progress: TypeAlias = Callable[[int, int, str, int], None]
-"""Called after each step: its number from 0, an estimate of their count, where it was, evaluations that it took."""
+"""Function called after each step with the step's number from 0, the estimated number of steps, the position in the
+run as text, and the number of evaluations of the step."""
 
 
 class CaseWarning(UserWarning):
-    """Something in a case that can be computed, but should be looked at."""
+    """A case can be computed but has a setting that should be checked."""
 
 
 class OldNameWarning(CaseWarning, FutureWarning):
-    """A key of a case has a new name; the old one is understood for a version."""
+    """A key of a case has been renamed; this version still accepts the old name, the next one will not."""
 
 
 class ResolutionWarning(UserWarning):
-    """A result that should be looked at before its numbers are used: too few cells, no yield, large strains, ..."""
+    """A result should be checked before its numbers are used: too few cells, no yield, large strains and so on."""
 
 
 class Case:
-    """One case, checked and ready to run. It does not change; `with_values` gives another one.
+    """One case, checked and ready to run. It is immutable; `with_values` returns a modified copy.
 
-    All keys are those of the case file (docs/reference/case-file.md), and so are the errors.
+    Keys and error messages are those of the case file (docs/reference/case-file.md).
 
         case = Case.from_file("cases/tugging/case.toml", ["tugging.interference=4"])
         run = case.run(progress=True)
@@ -70,14 +71,14 @@ class Case:
         """Reads a case from the text of a case file.
 
         Args:
-            text: TOML.
-            file: its name in messages; the paths that it holds begin in its folder.
-            overrides: "key=value", as behind --set.
-            names_lines: whether messages name file and line; False for a text that nobody sees.
-            maps: heights [y, x] in m that texture.file may name as if they were files.
+            text: text of a case file (TOML).
+            file: name of the case file in messages; relative paths in the text refer to its folder.
+            overrides: replaced values as "key=value", as for --set.
+            names_lines: whether messages name file and line; False for a generated text that the user does not see.
+            maps: height maps [y, x] in m by the names that texture.file uses for them instead of a file.
 
         Raises:
-            InputError: with all problems found, one per line.
+            InputError: the case is invalid; the message lists all problems found, one per line.
         """
         self._text = text
         self._file = Path(file)
@@ -91,7 +92,7 @@ class Case:
             warnings.warn(f"{place}{text}", category, stacklevel=level_of_caller())
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies and other processes read the case again; its warnings have been told."""
+        """Copies and other processes parse the case again, without repeating its warnings."""
         file = self._file.absolute()
         return _read_again, (type(self), self._text, file, self._overrides, self._names_lines, self._maps)
 
@@ -100,50 +101,59 @@ class Case:
         """Reads a case file.
 
         Args:
-            path: of the file.
-            overrides: "key=value", as behind --set.
+            path: path of the case file.
+            overrides: replaced values as "key=value", as for --set.
 
         Raises:
-            InputError: the file is missing or no regular one, or with all problems found, one per line.
-            IoError: it cannot be read.
+            InputError: the file is missing or not a regular file, or the case is invalid; the message then lists all
+                problems found, one per line.
+            IoError: the file cannot be read.
         """
         try:
             text = _core.case_file_text(Path(path))
         except UnicodeDecodeError:
-            _core.read_case(Path(path), [])  # has the message
+            _core.read_case(Path(path), [])  # raises the error with the message of the engine
             raise
         return Case(text, file=path, overrides=overrides)
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any], *, file: str | Path = "case.toml") -> Case:
-        """A case from nested dictionaries, as a TOML parser would give them."""
+        """Makes a case from nested dictionaries with the structure of a case file.
+
+        Args:
+            values: tables and keys of the case file.
+            file: name of the case file in messages; relative paths in the values refer to its folder.
+
+        Raises:
+            InputError: the case is invalid; the message lists all problems found, one per line.
+        """
         maps: HeightMaps = {}
         return Case(tomli_w.dumps(plain(values, maps)), file=file, names_lines=False, maps=maps)
 
     @property
     def scenario(self) -> str:
-        """Its name, as in the case file."""
+        """Name of the scenario, as in the case file."""
         return self._core.scenario
 
     @property
     def name(self) -> str:
-        """Of the file, or of its folder if it is called case.toml."""
+        """Name of the case: that of the file, or that of its folder if the file is called case.toml."""
         return self._core.name
 
     @property
     def title(self) -> str:
-        """May be empty."""
+        """Title of the case; it may be empty."""
         return self._core.title
 
     def with_values(self, values: Mapping[str, Any] | Iterable[str]) -> Self:
-        """The same case with some keys replaced or added.
+        """Returns a copy of the case with some keys replaced or added.
 
         Args:
-            values: by their dotted keys, {"tugging.interference": 4}, a table as a dictionary; or "key=value", as
-                behind --set.
+            values: new values by dotted key, {"tugging.interference": 4}, where a table is a dictionary; or a list of
+                "key=value", as for --set.
 
         Raises:
-            InputError: as for a case file.
+            InputError: the new case is invalid.
         """
         if isinstance(values, str):
             values = [values]
@@ -159,30 +169,30 @@ class Case:
             if not isinstance(values, Mapping):
                 raise
             text = str(error)
-            for override in overrides:  # the key is named behind it
+            for override in overrides:  # the message names the key anyway
                 text = text.replace(f"--set {override}: ", "").replace(f" (--set {override})", "")
             raise type(error)(text) from None
         return case
 
     def to_toml(self, path: str | Path | None = None) -> str:
-        """The case with all its defaults filled in, in SI, as a case file.
+        """Returns the case with all defaults filled in, in SI units, as the text of a case file.
 
         Args:
-            path: where to write it, if at all; height maps of more than a thousand points become files beside it, .npy,
-                which the written text names.
+            path: file to which the text is also written; None: no file. Height maps of more than a thousand points are
+                then written to .npy files in the same folder, which the written text refers to.
 
         Returns:
-            The text, which holds all of the case.
+            The text with all values of the case, including the heights of height maps.
 
         Raises:
-            IoError: it cannot be written.
+            IoError: the file cannot be written.
         """
         if path is not None:
             self._core.write_resolved(Path(path))
         return self._core.resolved_text()
 
     def check(self) -> str:
-        """What ``brinell check`` prints: the resolved case, critical values, grids, steps, memory, cost.
+        """Text that ``brinell check`` prints: the resolved case, critical values, grids, steps, memory, cost.
 
         Raises:
             InputError: the grid does not fit this machine.
@@ -191,7 +201,7 @@ class Case:
 
     @property
     def warnings(self) -> list[RunWarning]:
-        """What is known before a run to be wary of; ``brinell check`` tells it, too.
+        """Warnings about the result that are known before the run; ``brinell check`` prints them, too.
 
         Raises:
             InputError: the grid does not fit this machine.
@@ -201,7 +211,7 @@ class Case:
         return [RunWarning(key, text) for key, text in self._core.expected_warnings]
 
     def citations(self) -> list[str]:
-        """The papers behind the models of this case, brinell first, one line each (``brinell cite``)."""
+        """References to cite: brinell and the papers behind the models of this case, one a line (``brinell cite``)."""
         return self._core.citation_lines()
 
     def run(
@@ -214,29 +224,31 @@ class Case:
         accuracy: float | str | None = None,
         in_memory: bool = False,
     ) -> Run:
-        """Computes the case. What to be wary of in the result is told as `ResolutionWarning`, and is in `Run.warnings`.
+        """Computes the case. Warnings about the result are issued as `ResolutionWarning` and stored in `Run.warnings`.
 
-        Ctrl-C ends it after the step, or within a moment if a step takes long; the text of the KeyboardInterrupt says
-        what is kept, and where. A temporary folder stays then, if a step had been finished.
+        Ctrl-C stops the run at the end of the current step, or at once if the step takes long; the text of the
+        KeyboardInterrupt says which results are kept, and where. A temporary folder is then kept if at least one step
+        was finished.
 
         Args:
-            output: folder of the results, which replaces an earlier result there; a temporary one, that goes with the
-                run object, if None.
-            progress: show a bar, or call this function after each step.
-            threads: how many; None: as OpenMP decides.
-            resume: go on with a run of this case that was stopped in that folder.
-            accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": runs the case with
-                coarser cells first, and with finer ones as long as needed; `Run.accuracy` then tells the interval of
-                each number.
-            in_memory: write nothing to a disk, for loops of small runs: the result is lost with the run object, and so
-                is what a run has done that does not reach its end.
+            output: folder of the results; an earlier result in it is replaced. None: a temporary folder, which is
+                deleted together with the returned object.
+            progress: True shows a progress bar; a function is called after each step.
+            threads: number of threads; None: as OpenMP decides.
+            resume: resume a stopped run of this case in the folder `output`.
+            accuracy: largest accepted relative error of the key numbers, 0.01 or "1 %". The case is run with coarse
+                cells first, and with finer cells as long as needed; `Run.accuracy` has the error interval of each
+                number.
+            in_memory: write nothing to disk, for loops of small runs. The result is lost with the returned object, and
+                a run that does not finish leaves no result.
 
         Returns:
-            The results; with an accuracy, those of the finest cells.
+            The results; with `accuracy`, those of the finest cells.
 
         Raises:
-            InputError: a grid does not fit or turned out too small, or the folder holds another case to resume.
-            ConvergenceError: a step did not converge; those before are in the folder.
+            InputError: a grid does not fit or turned out to be too small, the folder to resume holds another case, or
+                in_memory is combined with output, resume or accuracy.
+            ConvergenceError: a step did not converge; the steps before are in the folder.
             IoError: the results cannot be written.
         """
         from brinell.results.opening import open_run, run_of_image
@@ -250,59 +262,59 @@ class Case:
         if in_memory:
             count = _thread_count(threads)
             try:
-                image = self._watched(progress, partial(self._core.run_in_memory, count))
+                image = self._with_progress(progress, partial(self._core.run_in_memory, count))
             except KeyboardInterrupt:
                 raise KeyboardInterrupt("interrupted; nothing is kept of a run in memory") from None
-            return self._told(run_of_image(image))
+            return self._with_warnings_issued(run_of_image(image))
         if output is not None:
             self._compute(Path(output), progress, threads, resume)
-            return self._told(open_run(output))
-        return self._told(self._run_in_passing(progress, threads, resume))
+            return self._with_warnings_issued(open_run(output))
+        return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, resume))
 
-    def _run_in_passing(self, progress: bool | Progress, threads: int | None, resume: bool) -> Run:
-        """In a temporary folder, which goes with the result; it stays if the user stops the run half-way."""
-        from brinell.results.opening import kept_of, open_run
+    def _run_in_temporary_folder(self, progress: bool | Progress, threads: int | None, resume: bool) -> Run:
+        """Runs the case in a temporary folder, deleted together with the result; finished steps survive Ctrl-C."""
+        from brinell.results.opening import kept_results, open_run
 
         folder = Path(tempfile.mkdtemp(prefix="brinell-"))
         try:
             self._compute(folder, progress, threads, resume)
             run = open_run(folder)
         except BaseException as error:
-            if not (isinstance(error, KeyboardInterrupt) and kept_of(folder)):
+            if not (isinstance(error, KeyboardInterrupt) and kept_results(folder)):
                 shutil.rmtree(folder, ignore_errors=True)
             raise
         weakref.finalize(run, shutil.rmtree, folder, ignore_errors=True)
         return run
 
     def steps(self) -> Stepping:
-        """Computes the case step by step: ``for record in case.steps(): ...``. Nothing is written.
+        """Computes the case step by step, ``for record in case.steps(): ...``, and writes no files.
 
         Returns:
-            An iterator over the rows of the history, which can show the fields after each of them.
+            An iterator over the rows of the history, with access to the fields after each step.
 
         Raises:
             InputError: the grid does not fit this machine.
         """
         return Stepping(self)
 
-    def _told(self, run: Run) -> Run:
-        """Warns of what the run has found; what the case itself is warned of has been told when it was read."""
-        told = {text for _, text in self._core.warnings}
+    def _with_warnings_issued(self, run: Run) -> Run:
+        """Issues the warnings of a run, except those of the case, which were issued when it was read."""
+        already_issued = {text for _, text in self._core.warnings}
         for warning in run.warnings:
-            if warning.text not in told:
+            if warning.text not in already_issued:
                 warnings.warn(warning.text, ResolutionWarning, stacklevel=level_of_caller())
         return run
 
     def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
-        from brinell.results.opening import kept_of
+        from brinell.results.opening import kept_results
 
         try:
-            self._watched(progress, partial(self._core.run, folder, resume, _thread_count(threads)))
+            self._with_progress(progress, partial(self._core.run, folder, resume, _thread_count(threads)))
         except KeyboardInterrupt:
-            raise KeyboardInterrupt(f"interrupted; {kept_of(folder) or 'nothing has been finished'}") from None
+            raise KeyboardInterrupt(f"interrupted; {kept_results(folder) or 'nothing has been finished'}") from None
 
-    def _watched(self, progress: bool | Progress, run: Callable[[Progress | None], _T]) -> _T:
-        """Calls what runs the case, with a function that is to be called after each step."""
+    def _with_progress(self, progress: bool | Progress, run: Callable[[Progress | None], _T]) -> _T:
+        """Calls `run` with the function that is to be called after each step: the user's, or that of a progress bar."""
         if progress is not True:
             return run(progress or None)
         with tqdm(unit="step", desc=self.title or self.name) as bar:
@@ -319,7 +331,7 @@ class Case:
 
 
 def _thread_count(threads: int | None) -> int:
-    """As the engine wants it: 0 for as OpenMP decides."""
+    """Checks a number of threads and returns it for the engine, where 0 leaves the choice to OpenMP."""
     if threads is not None and (not isinstance(threads, int) or threads < 1):
         raise InputError(f"threads = {threads!r}; allowed: a whole number, 1 or more, or None")
     return threads or 0
@@ -336,11 +348,11 @@ def _read_again(
 
 
 def in_arguments(text: str, scenario: str = "") -> str:
-    """A message about keys of the case file in the words of Python's arguments, where these differ.
+    """Replaces keys of the case file in a message by the Python arguments where these differ.
 
     Args:
         text: the message.
-        scenario: its table is the class itself: "load = ..." instead of "indentation.load = ...".
+        scenario: scenario whose table corresponds to the class: "load = ..." instead of "indentation.load = ...".
     """
     if scenario:
         text = text.replace(f"{scenario}.", "")

@@ -37,14 +37,14 @@ FAILURE, BAD_INPUT, INTERRUPTED = 1, 2, 130
 
 
 class Commands(click.Group):
-    """All commands by name; those of the engine only for the completion of shells."""
+    """All commands by name; the engine's commands are in this group only for shell completion."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names in the order of the help."""
+        """Names of the commands in the order of the help."""
         return [command.name for command in _core.commands()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """One of them; it is imported only now."""
+        """Returns a command by its name; the module of a Python command is imported only here."""
         if cmd_name in COMMANDS:
             module, name = COMMANDS[cmd_name].split(":")
             command: click.Command = getattr(importlib.import_module(module), name)
@@ -52,7 +52,7 @@ class Commands(click.Group):
         return next((completion.engine_command(c) for c in _core.commands() if c.name == cmd_name), None)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
-        """Names of commands, or options; nothing is imported for the names."""
+        """Completes names of commands and options, without importing the commands."""
         named = [CompletionItem(c.name, help=c.help) for c in _core.commands() if c.name.startswith(incomplete)]
         return named + click.Command.shell_complete(self, ctx, incomplete)
 
@@ -68,22 +68,22 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Runs the command and ends the process with its exit code.
 
     Args:
-        arguments: without the program's name; those of the process if None.
+        arguments: command line without the program's name; None: the arguments of the process.
     """
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `brinell schema | head` ends quietly, as the C++ program does
     completion.answer(root)
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    strange = [word for word in arguments if not _is_utf8(word)]
-    if strange:
-        sys.exit(_report(f"the argument {os.fsencode(strange[0])!r} is not UTF-8", BAD_INPUT))
+    not_utf8 = [word for word in arguments if not _is_utf8(word)]
+    if not_utf8:
+        sys.exit(_report(f"the argument {os.fsencode(not_utf8[0])!r} is not UTF-8", BAD_INPUT))
     if arguments and arguments[0] in COMMANDS:
         sys.exit(guarded(lambda: root.main(arguments, "brinell", standalone_mode=False)))
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the engine has its own way to stop a run
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the engine installs its own handler to stop a run
     sys.exit(_core.command_line(arguments))
 
 
 def _is_utf8(word: str) -> bool:
-    """Python takes other bytes of the command line for halves of pairs of UTF-16."""
+    """Whether an argument was valid UTF-8; Python decodes other bytes as surrogates, which cannot be encoded."""
     try:
         word.encode()
     except UnicodeEncodeError:
@@ -92,10 +92,10 @@ def _is_utf8(word: str) -> bool:
 
 
 def guarded(command: Callable[[], Any]) -> int:
-    """Runs a command of this package and turns its errors into lines on stderr.
+    """Runs a command of this package and prints its errors as lines on stderr.
 
     Args:
-        command: returns an exit code, or anything else if it is done.
+        command: function that returns an exit code; any other value means success.
 
     Returns:
         The exit code.
@@ -113,7 +113,7 @@ def guarded(command: Callable[[], Any]) -> int:
         return _report(error.format_message(), error.exit_code)
     except (click.Abort, KeyboardInterrupt):
         return INTERRUPTED
-    except GridError as error:  # of a computation that could not go on: what was given is good
+    except GridError as error:  # a computation could not continue, although the input is valid
         return _report(str(error))
     except (InputError, MissingExtraError) as error:
         return _report(str(error), BAD_INPUT)
@@ -127,7 +127,7 @@ def guarded(command: Callable[[], Any]) -> int:
 
 
 def _report(text: str, exit_code: int = FAILURE) -> int:
-    """Prints each line of an error with the name of the program, as the C++ program does."""
+    """Prints each line of an error message with the name of the program in front, as the C++ program does."""
     for line in text.split("\n"):
         click.echo(f"brinell: error: {line}", err=True)
     return exit_code

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What commands share: how errors and warnings are told, and where to write beside a result."""
+"""Helpers of the commands: reporting of errors and warnings, and the folder of a result."""
 
 from __future__ import annotations
 
@@ -15,30 +15,30 @@ import click
 from brinell.case import CaseWarning
 from brinell.errors import BrinellError, InputError
 
-__all__ = ["CommandError", "folder_of", "tells_errors", "tells_warnings"]
+__all__ = ["CommandError", "folder_of", "reports_errors", "reports_warnings"]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
 
 class CommandError(click.ClickException):
-    """An error in one line on the standard error stream; exit code 1: a file cannot be written."""
+    """Error that is printed as one line on stderr; exit code 1, for example if a file cannot be written."""
 
     exit_code = 1
 
     def show(self, file: IO[Any] | None = None) -> None:
-        """Writes the line."""
+        """Prints the error."""
         click.echo(f"brinell: error: {self.message}", file=file, err=file is None)
 
 
 class RequestError(CommandError):
-    """Something about the request or a result is wrong."""
+    """Error in the request or in a result; exit code 2."""
 
     exit_code = 2
 
 
-def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Decorator of a command: what the user can mend is told in one line, without a traceback."""
+def reports_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Decorates a command so that errors that the user can fix are printed as one line, without a traceback."""
 
     @functools.wraps(command)
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
@@ -51,16 +51,16 @@ def tells_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
 
 
 @contextlib.contextmanager
-def tells_warnings(about: object = None, words: Callable[[str], str] = str) -> Iterator[None]:
-    """What is warned of within is told in lines as those of the C++ program; the same thing once.
+def reports_warnings(about: object = None, words: Callable[[str], str] = str) -> Iterator[None]:
+    """Prints warnings as lines in the style of the C++ program, each text only once.
 
     Args:
-        about: the file that comes before the warning; None: it names one itself.
-        words: makes those of the command line of a text.
+        about: file that is named in front of the warning; None: the text names its file itself.
+        words: function that translates a text to the terms of the command line.
     """
-    told: set[str] = set()
+    printed: set[str] = set()
 
-    def tell(
+    def print_once(
         message: Warning | str,
         category: type[Warning],
         filename: str,
@@ -69,17 +69,17 @@ def tells_warnings(about: object = None, words: Callable[[str], str] = str) -> I
         line: str | None = None,
     ) -> None:
         prefix = "brinell: warning" if issubclass(category, CaseWarning | FutureWarning) else category.__name__
-        said = words(str(message))
-        text = f"{prefix}: {said}" if about is None else f"{prefix}: {about}: {said}"
-        if text not in told:
+        translated = words(str(message))
+        text = f"{prefix}: {translated}" if about is None else f"{prefix}: {about}: {translated}"
+        if text not in printed:
             click.echo(text, err=True)
-        told.add(text)
+        printed.add(text)
 
     with warnings.catch_warnings():
-        warnings.showwarning = tell
+        warnings.showwarning = print_once
         yield
 
 
 def folder_of(run: Path) -> Path:
-    """The folder of a result, which may be given by its file."""
+    """Folder of a result that is given by its folder or its file."""
     return run.parent if run.is_file() else run

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Completion of commands, options, case files and keys in bash, zsh and fish: ``brinell completion``.
 
-click answers a shell that calls ``brinell`` with an environment variable set; what it offers for the engine's commands
-is read from their own declaration.
+When a shell calls ``brinell`` with an environment variable set, click answers with the completions. Those for the
+engine's commands are generated from the declaration of their options in C++.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ from brinell import _core
 __all__ = ["answer", "case_files", "command", "engine_command", "schema_keys"]
 
 VARIABLE = "_BRINELL_COMPLETE"
-"""Set by the shell's script when it asks."""
+"""Environment variable that the shell's script sets when it asks for completions."""
 
 PLACES = {
     "bash": "~/.local/share/bash-completion/completions/brinell",
     "zsh": "a folder of $fpath, under the name _brinell",
     "fish": "~/.config/fish/completions/brinell.fish",
 }
-"""Where each shell looks for such a script."""
+"""Where each shell looks for its completion script."""
 
 
 @add_completion_class
 class _Bash(BashComplete):
-    """click's, but without the space behind ``--set key=``."""
+    """click's completion for bash, but without a space after ``--set key=``."""
 
     source_template = BashComplete.source_template.replace(
         "    return 0\n", "    if [[ ${COMPREPLY[0]} == *= ]]; then compopt -o nospace; fi\n\n    return 0\n"
@@ -45,20 +45,20 @@ class _Bash(BashComplete):
 
 
 _CASE_PATTERNS = ("*.toml", "*/*.toml", "*/*/*.toml")
-"""Case files below a folder: so deep that cases/NAME/case.toml is found from beside cases/."""
+"""Patterns of case files below a folder, deep enough to find cases/NAME/case.toml from the parent of cases/."""
 
 _MOST_FILES = 100
 
 
 def answer(root: click.Command) -> None:
-    """Answers a shell that asks for completions, and ends the process; returns if none asks."""
+    """Prints the completions and ends the process if a shell asks for them; otherwise returns."""
     instruction = os.environ.get(VARIABLE)
     if instruction:
         sys.exit(shell_complete(root, {}, "brinell", VARIABLE, instruction))
 
 
 def case_files(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """Case files whose path begins with `incomplete`, also in folders below; any file if there is none."""
+    """Case files whose path begins with `incomplete`, also in subfolders; any file if there is no case file."""
     folder = incomplete.rpartition("/")[0]
     start = f"{glob.escape(incomplete)}*"
     patterns = [f"{start}.toml", *(f"{start}/{pattern}" for pattern in _CASE_PATTERNS[:2])]
@@ -71,7 +71,7 @@ def case_files(_ctx: click.Context, _param: click.Parameter, incomplete: str) ->
 
 
 def schema_keys(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """Keys of the case file with an equals sign; behind that sign the values of a key that has a choice of them."""
+    """Keys of the case file with an equals sign; after the sign, the allowed values of a key that has a fixed set."""
     key, equals, value = incomplete.partition("=")
     if not equals:
         return [CompletionItem(f"{k.key}=", help=k.text) for k in _core.schema_keys() if k.key.startswith(key)]
@@ -89,11 +89,11 @@ def _folders(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> l
 
 
 _BY_VALUE = {"CASE.toml": case_files, "KEY=VALUE": schema_keys, "SCENARIO": _scenarios, "DIR": _folders}
-"""What may stand for a value, by its name in the help."""
+"""Completion functions by the placeholder of a value in the help."""
 
 
 def engine_command(info: _core.CommandInfo) -> click.Command:
-    """What click must know of a command of the engine to complete its options; click never runs it."""
+    """Description of an engine command as a click command, for the completion of its options; click never runs it."""
     parameters: list[click.Parameter] = []
     for option in info.options:
         complete = _BY_VALUE.get(option.value)
@@ -122,5 +122,5 @@ def command(shell: str) -> None:
     completion_class = get_completion_class(shell)
     assert completion_class is not None  # click has all of PLACES
     click.echo(completion_class(click.Command("brinell"), {}, "brinell", VARIABLE).source().strip())
-    # At the end: zsh wants its own first line.
+    # The remark is at the end because zsh requires its own first line.
     click.echo(f"\n# To have this in every new shell, write it into\n#   {PLACES[shell]}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plasticity of a point: yield curves, and the return mappings of the engine.
+"""Plasticity at a material point: yield curves, and the return mappings of the engine.
 
 Tensors have six components, first in an array: xx, yy, zz, yz, xz, xy. Stress is positive in tension.
 """
@@ -34,11 +34,11 @@ def yield_stress(law: Hardening | Law, equivalent_plastic_strain: ArrayLike) -> 
     """The yield curve sigma_y(e).
 
     Args:
-        law: of `brinell.materials`, or a function.
-        equivalent_plastic_strain: e (...), >= 0 [-].
+        law: hardening law of `brinell.materials`, or a function sigma_y(e).
+        equivalent_plastic_strain: (...) equivalent plastic strain e, >= 0 [-].
 
     Returns:
-        (...) [Pa].
+        (...) yield stress [Pa].
     """
     shape, (e,) = points(equivalent_plastic_strain=equivalent_plastic_strain)
     return _core.yield_stress(_material(law), e).reshape(shape)
@@ -48,11 +48,11 @@ def hardening_modulus(law: Hardening | Law, equivalent_plastic_strain: ArrayLike
     """The slope d sigma_y / d e of the yield curve.
 
     Args:
-        law: of `brinell.materials`, or a function.
-        equivalent_plastic_strain: e (...), >= 0 [-].
+        law: hardening law of `brinell.materials`, or a function sigma_y(e).
+        equivalent_plastic_strain: (...) equivalent plastic strain e, >= 0 [-].
 
     Returns:
-        (...) [Pa]; may be infinite at e = 0.
+        (...) hardening modulus [Pa]; it may be infinite at e = 0.
     """
     shape, (e,) = points(equivalent_plastic_strain=equivalent_plastic_strain)
     return _core.hardening_modulus(_material(law), e).reshape(shape)
@@ -62,41 +62,41 @@ def plastic_work(law: Hardening | Law, equivalent_plastic_strain: ArrayLike) -> 
     """The work under the yield curve, the integral of sigma_y from 0 to e.
 
     Args:
-        law: of `brinell.materials`, or a function.
-        equivalent_plastic_strain: e (...), >= 0 [-].
+        law: hardening law of `brinell.materials`, or a function sigma_y(e).
+        equivalent_plastic_strain: (...) equivalent plastic strain e, >= 0 [-].
 
     Returns:
-        (...) [J/m^3].
+        (...) plastic work per volume [J/m^3].
     """
     shape, (e,) = points(equivalent_plastic_strain=equivalent_plastic_strain)
     return _core.plastic_work(_material(law), e).reshape(shape)
 
 
 def softening_factor(law: Softening, temperature: ArrayLike) -> Array:
-    """The factor on the yield stress by the temperature, at least 0.01.
+    """Factor of thermal softening on the yield stress, at least 0.01.
 
     Args:
-        law: of `brinell.materials`.
-        temperature: T (...) [deg C].
+        law: softening law of `brinell.materials`.
+        temperature: (...) temperature [deg C].
 
     Returns:
-        (...) [-].
+        (...) factor [-].
     """
     shape, (t,) = points(temperature=temperature)
-    material = Material(1.0, 0.0, Perfect(1.0), softening=law)  # the other constants do not count
+    material = Material(1.0, 0.0, Perfect(1.0), softening=law)  # the other constants have no effect
     return _core.softening_factor(material._engine, t).reshape(shape)
 
 
 @dataclass(frozen=True)
 class PlasticIncrement:
-    """What one increment does to points.
+    """Result of a return mapping at many points.
 
     Attributes:
-        plastic_strain: (6, ...) increment, traceless [-].
-        equivalent_plastic_strain: (...) increment of e, >= 0 [-].
+        plastic_strain: (6, ...) increment of the plastic strain, traceless [-].
+        equivalent_plastic_strain: (...) increment of the equivalent plastic strain e, >= 0 [-].
         dissipation: (...) plastic work of the increment [J/m^3].
-        stress: (6, ...) after it, the trial stress less 2 mu times the increment of the strain [Pa].
-        backstress: (terms, 6, ...) after it [Pa].
+        stress: (6, ...) stress after the increment: trial stress minus 2 mu times the plastic strain increment [Pa].
+        backstress: (terms, 6, ...) back stresses after the increment [Pa].
     """
 
     plastic_strain: Array
@@ -116,24 +116,26 @@ def return_mapping(
     yield_factor: ArrayLike = 1.0,
     integration: Integration = "backward_euler",
 ) -> PlasticIncrement:
-    """The plastic strain of an increment at each of many points (J2, associated flow).
+    """Return mapping at each of many points (J2 plasticity, associated flow).
 
     Args:
-        material: with a hardening law, and back stresses if it has some; its profiles over depth do not
-            count here.
-        trial: (6, ...) stress that would act if the increment left no plastic strain [Pa]; only its deviator counts.
-        stress: (6, ...) before the increment [Pa]; None: zero. Backward Euler without back stress does not need it.
-        equivalent_plastic_strain: e before the increment (...) [-].
-        backstress: (terms, 6, ...) before it [Pa]; None: zero.
-        yield_factor: (...) on the yield stress, > 0, as by `softening_factor`.
-        integration: "backward_euler": flow along the normal at the end (Wilkins 1964); "path": along the mean of the
-            normals where the straight path leaves the elastic domain and at the end, second order (Ortiz, Popov 1985).
+        material: material with a hardening law and, optionally, back stresses; its profiles over depth are ignored.
+        trial: (6, ...) trial stress, which would act without plastic flow in the increment [Pa]; only its deviator has
+            an effect.
+        stress: (6, ...) stress before the increment [Pa]; None: zero. It has no effect in backward Euler without back
+            stresses.
+        equivalent_plastic_strain: (...) equivalent plastic strain e before the increment [-].
+        backstress: (terms, 6, ...) back stresses before the increment [Pa]; None: zero.
+        yield_factor: (...) factor on the yield stress, > 0, for example from `softening_factor` [-].
+        integration: "backward_euler": flow along the normal at the end of the increment (Wilkins 1964); "path": flow
+            along the mean of the normals at the point where the straight path leaves the elastic domain and at the end,
+            second order (Ortiz, Popov 1985).
 
     Returns:
-        The increment.
+        Increments of the plastic strain, and the state after the increment.
 
     Raises:
-        InputError: shapes that do not go together, or a material without a hardening law.
+        InputError: an unknown integration, incompatible shapes, or a material without a hardening law.
     """
     if integration not in ("path", "backward_euler"):
         raise InputError(f'integration = "{integration}"; allowed: "path" or "backward_euler"')
@@ -176,4 +178,4 @@ def return_mapping(
 
 
 def _material(law: Hardening | Law) -> _core.Material:
-    return Material(1.0, 0.0, law)._engine  # its elastic constants do not count
+    return Material(1.0, 0.0, law)._engine  # the elastic constants have no effect

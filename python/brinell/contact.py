@@ -5,8 +5,8 @@ grid = SurfaceGrid(65, 65, 1e-6, 1e-6)
 ball = (grid.x**2 + grid.y**2) / (2 * 0.01)
 result = ElasticContact(grid, Material("210 GPa", 0.3)).solve(ball, load=0.5)
 
-With friction, one step after another: `FrictionalContact`; under a given bound of the shear: `TangentialContact`.
-Surfaces that go on without end: SurfaceGrid(..., boundary="periodic").
+`FrictionalContact` solves contact with Coulomb friction step by step, `TangentialContact` stick and slip under a given
+bound of the shear. Periodic surfaces need SurfaceGrid(..., boundary="periodic").
 """
 
 from __future__ import annotations
@@ -49,19 +49,19 @@ __all__ = [
 @renamed(area="contact_area", iterations="contact_iterations")
 @dataclass(frozen=True)
 class ContactResult:
-    """A solved contact.
+    """Result of a normal contact problem.
 
     Attributes:
-        pressure: (ny, nx), >= 0 [Pa].
-        gap: (ny, nx) between the deformed surfaces [m].
-        approach: imposed or found [m]; without load that at which the surfaces touch.
-        load: sum of the pressure [N].
-        contact_iterations: of the conjugate gradients.
+        pressure: (ny, nx) contact pressure, >= 0 [Pa].
+        gap: (ny, nx) gap between the deformed surfaces [m].
+        approach: approach of the bodies, imposed or found [m]; at zero load the approach at first touch.
+        load: normal load, the integral of the pressure [N].
+        contact_iterations: number of conjugate gradient iterations.
         converged: whether the residual is within the tolerance.
         residual: largest |gap| under pressure or penetration elsewhere [m].
-        contact_area: finer than the cells: see the function `contact_area` [m^2].
-        reaches_edge: whether pressure acts on the outermost cells of an axis that is not periodic: the grid cuts the
-            contact off, and the result is that of a smaller body. It is warned of.
+        contact_area: contact area with a resolution finer than one cell, by the function `contact_area` [m^2].
+        reaches_edge: whether pressure acts on the outermost cells of an axis that is not periodic. The grid then cuts
+            the contact off, and the result is that of a smaller body; a `CaseWarning` says so.
     """
 
     pressure: Array
@@ -79,22 +79,23 @@ class ContactResult:
 
 
 class ElasticContact:
-    """Contact of two bodies by the preconditioned, constrained conjugate gradient method (after Polonsky, Keer 1999).
+    """Frictionless elastic contact by the preconditioned, constrained conjugate gradient method.
 
-    Finds p >= 0, gap = distance - approach + A p >= 0, p gap = 0, with A the surface compliance.
+    The method follows Polonsky and Keer (1999). It finds the pressure p >= 0 with gap = distance - approach + A p >= 0
+    and p gap = 0, where A is the surface compliance.
     """
 
     def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
-        """Plans the contact.
+        """Sets up the problem and its operators.
 
         Args:
-            grid: wide enough that the contact ends on it, along axes that are not periodic.
-            lower: one body; of its material only the elastic constants count.
-            upper: the other one.
-            reference: see `SurfaceCompliance`; the approach counts from there.
+            grid: grid of all fields; along axes that are not periodic it must contain the whole contact.
+            lower: material of the lower body; only its elastic constants are used.
+            upper: material of the upper body; only its elastic constants are used.
+            reference: reference distance as in `SurfaceCompliance`, from which the approach is measured [m].
 
         Raises:
-            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
+            InputError: both bodies are rigid, a material is invalid, or `reference` is missing or not applicable.
         """
         self.grid = grid
         self.compliance = SurfaceCompliance(grid, lower, upper, reference=reference)
@@ -117,21 +118,20 @@ class ElasticContact:
         """Solves the contact.
 
         Args:
-            distance: (ny, nx) of the undeformed surfaces at no approach [m].
-            load: [N], >= 0.
-            approach: instead of the load: how far the bodies have come together [m]. With two periodic axes at most the
-                mean distance, where all of the surface touches.
-            mean_gap: instead, with two periodic axes, the mean gap over the period, >= 0 [m].
-            tolerance: largest residual [m]. None: 1e-7 of the overlap of the undeformed surfaces if the approach or
-                the mean gap is given; of load/(E' sqrt(area of the grid)), less than the bodies come together, if the
-                load is.
-            max_iterations: after which it gives up.
-            guess: (ny, nx) a pressure to begin with, as that of a neighbouring problem [Pa].
+            distance: (ny, nx) distance of the undeformed surfaces at zero approach [m].
+            load: normal load, >= 0 [N].
+            approach: approach of the bodies, instead of the load [m]. With two periodic axes it is at most the mean
+                distance, at which the whole surface is in contact.
+            mean_gap: mean gap over the period, instead of the load, with two periodic axes; >= 0 [m].
+            tolerance: largest accepted residual [m]. None: 1e-7 of the overlap of the undeformed surfaces if the
+                approach or the mean gap is given; 1e-7 load/(E' sqrt(area of the grid)) if the load is given.
+            max_iterations: largest number of iterations.
+            guess: (ny, nx) initial pressure, for example the solution of a similar problem [Pa].
 
         Raises:
             ConvergenceError: the residual did not reach the tolerance.
             InputError: a wrong shape, a negative load or mean gap, a mean gap without two periodic axes, an approach
-                beyond full contact, or not one of load, approach and mean gap is given.
+                beyond full contact, or not exactly one of load, approach and mean gap.
         """
         if max_iterations < 0:
             raise InputError(f"max_iterations = {max_iterations}; allowed: not below 0")
@@ -152,13 +152,14 @@ class ElasticContact:
         return _result(self.compliance, pressure, gap, report)
 
     def stiffness(self, pressure: ArrayLike) -> float:
-        """Elastic stiffness of a solved contact [N/m]: load per approach as they begin to change.
+        """Elastic stiffness d load/d approach of a solved contact [N/m].
 
-        That of a flat punch of the shape of the contact: 0 without contact, infinite if all of a surface with two
-        periodic axes touches, NaN if it could not be computed.
+        It is the stiffness of a rigid flat punch with the shape of the contact area: 0 without contact, infinite in
+        full contact on a grid with two periodic axes, NaN if the computation failed.
 
         Args:
-            pressure: (ny, nx), only where it is above zero counts [Pa].
+            pressure: (ny, nx) pressure of the solved contact [Pa]; only the set of cells with a value above zero is
+                used.
 
         Raises:
             InputError: a wrong shape.
@@ -169,14 +170,14 @@ class ElasticContact:
 @renamed(dissipated="dissipation_friction")
 @dataclass(frozen=True)
 class FrictionResult:
-    """A solved step of a contact with friction.
+    """Result of one step of a contact with friction.
 
     Attributes:
-        contact: pressure, gap, approach, load and contact area.
-        tangential: shears, slips, stick, shift and force of the step.
-        shift: along x and y, of the upper body past the lower one in all steps [m].
-        dissipation_friction: in all steps [J].
-        alternations: of the normal and the tangential problem.
+        contact: normal part: pressure, gap, approach, load and contact area.
+        tangential: tangential part: shear, slip, stick area, shift and force of this step.
+        shift: displacement along x and y of the upper body relative to the lower one, summed over all steps [m].
+        dissipation_friction: energy dissipated by friction in all steps [J].
+        alternations: number of alternations between the normal and the tangential problem.
     """
 
     contact: ContactResult
@@ -192,10 +193,11 @@ class FrictionResult:
 
 
 class FrictionalContact:
-    """Contact of two elastic bodies with Coulomb's friction: |q| <= friction * p, slip along q.
+    """Contact of two elastic bodies with Coulomb friction: |q| <= friction * p, slip along q.
 
-    Where the bodies differ, shears open or close the gap and pressure pulls along the surface; then the normal and the
-    tangential problem are solved by turns, until the gap stays (Panagiotopoulos 1975). Signs: `TangentialContact`.
+    If the elastic constants of the bodies differ, shear changes the gap and pressure causes tangential displacement.
+    The normal and the tangential problem are then solved in alternation until the gap no longer changes
+    (Panagiotopoulos 1975). The sign conventions are those of `TangentialContact`.
 
         contact = FrictionalContact(grid, rubber, steel, friction=0.5)
         pressed = contact.step(ball, load=0.5)
@@ -211,17 +213,17 @@ class FrictionalContact:
         friction: float,
         reference: float | None = None,
     ):
-        """Plans the contact.
+        """Sets up the problem and its operators.
 
         Args:
-            grid: wide enough that the contact ends on it, along axes that are not periodic.
-            lower: one body; of its material only the elastic constants count.
-            upper: the other one.
-            friction: coefficient, >= 0.
-            reference: see `SurfaceCompliance`; approach and shift count from there.
+            grid: grid of all fields; along axes that are not periodic it must contain the whole contact.
+            lower: material of the lower body; only its elastic constants are used.
+            upper: material of the upper body; only its elastic constants are used.
+            friction: friction coefficient, >= 0 [-].
+            reference: reference distance as in `SurfaceCompliance`, from which approach and shift are measured [m].
 
         Raises:
-            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
+            InputError: both bodies are rigid, a material is invalid, or `reference` is missing or not applicable.
         """
         self.grid = grid
         self.friction = number(friction, "friction")
@@ -248,27 +250,30 @@ class FrictionalContact:
         tolerance: float | None = None,
         max_iterations: int = 2000,
     ) -> FrictionResult:
-        """Solves one step of a history. How the load and the force come together matters: give enough steps.
+        """Solves one step of a loading history.
+
+        The result depends on the path of load and force: use enough steps to resolve it.
 
         Args:
-            distance: see `ElasticContact.solve` [m].
-            load: see `ElasticContact.solve` [N].
-            approach: instead of the load [m].
-            mean_gap: instead, with two periodic axes [m].
-            shift_x: of the upper body in this step [m]; 0 if neither it nor the force is given.
-            shift_y: the same along y [m].
-            force_x: instead of the shift, the force along x on the lower body after the step [N].
-            force_y: the same along y [N].
-            spin: of the upper body in this step, about the middle of the grid, from x to y [rad].
-            before: the step before; None: the bodies do not touch yet.
-            carried: rolling: see `TangentialContact.step`.
-            tolerance: largest residual of the gap, and of the slip over the friction coefficient [m]. None: as that of
-                `ElasticContact.solve`.
-            max_iterations: of each solution, after which it gives up.
+            distance: (ny, nx) distance of the undeformed surfaces at zero approach [m].
+            load: normal load at the end of the step, >= 0 [N].
+            approach: approach at the end of the step, instead of the load [m].
+            mean_gap: mean gap at the end of the step, instead of the load, with two periodic axes; >= 0 [m].
+            shift_x: displacement of the upper body along x in this step [m]; 0 if neither `shift_x` nor `force_x` is
+                given.
+            shift_y: displacement of the upper body along y in this step [m]; the default is as for `shift_x`.
+            force_x: force along x on the lower body at the end of the step, instead of `shift_x` [N].
+            force_y: force along y on the lower body at the end of the step, instead of `shift_y` [N].
+            spin: rotation of the upper body in this step about the middle of the grid, positive from x to y [rad].
+            before: result of the previous step; None: the bodies do not touch yet.
+            carried: cells by which the surfaces have moved in rolling, as in `TangentialContact.step`.
+            tolerance: largest accepted residual of the gap [m]; that of the slip is min(friction, 1) times this. None:
+                as in `ElasticContact.solve`.
+            max_iterations: largest number of iterations of each normal and each tangential solution.
 
         Raises:
-            ConvergenceError: a residual did not reach the tolerance, or the turns did not come to an end.
-            InputError: as `ElasticContact.solve` and `TangentialContact.step`.
+            ConvergenceError: a residual did not reach the tolerance, or the alternation did not converge.
+            InputError: an invalid argument, as in `ElasticContact.solve` and `TangentialContact.step`.
         """
         distance = contiguous(distance, "distance")
         drive = drive_of(load, approach, mean_gap)
@@ -357,7 +362,7 @@ def _reason(report: _core.FrictionReport) -> str:
 def default_tolerance(
     compliance: SurfaceCompliance, distance: Array, load: float | None, approach: float | None
 ) -> float:
-    """Largest residual of a contact if none is given: see `ElasticContact.solve`."""
+    """Default tolerance of a normal contact [m], as documented in `ElasticContact.solve`."""
     if load is not None:
         return load_tolerance(compliance, load)
     overlap = (approach or 0.0) - float(distance.min())
@@ -365,10 +370,10 @@ def default_tolerance(
 
 
 def drive_of(load: float | None, approach: float | None, mean_gap: float | None = None) -> _core.Drive:
-    """What is imposed on two bodies.
+    """Builds the engine's description of the imposed load, approach or mean gap.
 
     Raises:
-        InputError: not one of them is given, the load is negative, or a value is not finite.
+        InputError: not exactly one of the three is given, the load is negative, or a value is not finite.
     """
     if (load is not None) + (approach is not None) + (mean_gap is not None) != 1:
         raise InputError("a contact needs either load or approach, or with two periodic axes mean_gap")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contact of two elastic-plastic bodies, increment by increment: to build a scenario of one's own.
+"""Contact of two elastic-plastic bodies, increment by increment, as a basis for scenarios of your own.
 
     contact = SurfaceGrid(25, 25, 1e-6, 1e-6)
     body = VolumeGrid(contact, nz=12, dz=1e-6)
@@ -8,10 +8,10 @@
         pair.advance((contact.x**2 + contact.y**2) / (2 * radius), approach=approach)
     pair.lower.residual_displacement
 
-The plastic strain of a body stays on its own grid, over which the contact grid moves (`Place`). Arrays are [y, x] and
-[z, y, x]; tensors have six components, which come first: xx, yy, zz, yz, xz, xy. z points into the body whose fields
-they are, pressure is positive in compression, stress in tension. Every array is a copy of the state, which the next
-increment leaves alone.
+The plastic strain of each body is stored on the body's own grid, over which the contact grid moves (`Place`). Arrays
+are [y, x] and [z, y, x]; tensors have six components, which come first: xx, yy, zz, yz, xz, xy. z points into the
+respective body, pressure is positive in compression, stress in tension. Every array is a copy of the state, so the next
+increment does not change it.
 """
 
 from __future__ import annotations
@@ -37,11 +37,14 @@ Twin: TypeAlias = Literal["none", "mirror_image", "alike"]
 
 @dataclass(frozen=True)
 class Place:
-    """Where the contact grid lies on a body's grid: contact column i is at column i + column + fraction.
+    """Position of the contact grid on a body's grid: contact column i is at body column i + column + fraction.
 
     Attributes:
-        column: whole columns.
-        fraction: of a column, in [0, 1); other than 0 surfaces are interpolated.
+        column: offset in whole columns.
+        fraction: additional offset as a fraction of a column, in [0, 1). If it is not 0, surfaces are interpolated.
+
+    Raises:
+        InputError: the fraction is not in [0, 1).
     """
 
     column: int = 0
@@ -54,17 +57,17 @@ class Place:
 
 @dataclass(frozen=True)
 class IncrementReport:
-    """How an increment ended.
+    """Convergence data of an increment.
 
     Attributes:
-        approach: imposed, or found for the load [m].
-        load: sum of the pressure [N].
-        evaluations: of the elastic-plastic operator of both bodies.
-        contact_iterations: of the conjugate gradients, in all evaluations.
-        yield_error: largest violation of the yield condition, over the yield stress [-].
-        displacement_error: last change of the residual displacement [m].
-        gap_error: complementarity of the contact [m].
-        energy: locked in, elastic and dissipated in the increment [J].
+        approach: approach at the end, imposed or found for the load [m].
+        load: normal load at the end, the integral of the pressure [N].
+        evaluations: number of evaluations of the elastic-plastic operator of both bodies.
+        contact_iterations: number of conjugate gradient iterations in all evaluations.
+        yield_error: largest violation of the yield condition, relative to the yield stress [-].
+        displacement_error: change of the residual displacement in the last evaluation [m].
+        gap_error: error of the complementarity condition of the contact [m].
+        energy: sum of the locked-in and elastic energy and the dissipation of the increment [J].
     """
 
     approach: float
@@ -78,11 +81,11 @@ class IncrementReport:
 
 
 _BYTES_OF_BODY = 500
-"""Per cell of a body that can yield, at least: operators and fields."""
+"""Least memory per cell [B] of a body that can yield, for its operators and fields."""
 
 
 class BodyState:
-    """The fields of one body of a `CoupledContact`, as they are after the last increment."""
+    """Fields of one body of a `CoupledContact` after the last increment."""
 
     def __init__(self, contact: _core.CoupledContact, upper: bool, grid: VolumeGrid, material: Material):
         self.grid = grid
@@ -95,22 +98,22 @@ class BodyState:
 
     @property
     def plastic_strain(self) -> Array:
-        """(6, nz, ny, nx) [-], xx + yy + zz = 0."""
+        """(6, nz, ny, nx) plastic strain, xx + yy + zz = 0 [-]."""
         return self._contact.plastic_strain(self._upper)
 
     @property
     def equivalent_plastic_strain(self) -> Array:
-        """(nz, ny, nx) accumulated [-]."""
+        """(nz, ny, nx) accumulated equivalent plastic strain [-]."""
         return self._contact.equivalent_plastic_strain(self._upper)
 
     @property
     def backstress(self) -> Array:
-        """(terms, 6, nz, ny, nx) of kinematic hardening [Pa]."""
+        """(terms, 6, nz, ny, nx) back stresses of kinematic hardening [Pa]."""
         return self._contact.backstress(self._upper)
 
     @property
     def stress(self) -> Array:
-        """(6, nz, ny, nx) of the pressure, the plastic strain and what was there before the first load [Pa].
+        """(6, nz, ny, nx) stress of the pressure and the plastic strain, plus the initial stress of the material [Pa].
 
         Raises:
             InputError: the body is rigid.
@@ -119,12 +122,12 @@ class BodyState:
 
     @property
     def residual_displacement(self) -> Array:
-        """(ny, nx) of the surface, by the plastic strain, into the body positive [m]."""
+        """(ny, nx) residual normal displacement of the surface by the plastic strain, positive into the body [m]."""
         return self._contact.residual_displacement(self._upper)
 
     @property
     def dissipation(self) -> float:
-        """Plastic work since the start [J]; with back stresses, a part of it stays in the material."""
+        """Plastic work since the start [J]; with back stresses, a part of it is stored in the material."""
         return self._contact.dissipation(self._upper)
 
     @property
@@ -134,12 +137,12 @@ class BodyState:
 
 
 class CoupledContact:
-    """Two bodies with their history. One thread at a time may use it.
+    """Two elastic-plastic bodies in contact, with their loading history. Only one thread at a time may use an object.
 
     Attributes:
-        grid: the `SurfaceGrid` of the contact.
-        lower: the `BodyState` of the lower body.
-        upper: the `BodyState` of the upper body.
+        grid: `SurfaceGrid` of the contact.
+        lower: `BodyState` of the lower body.
+        upper: `BodyState` of the upper body.
     """
 
     def __init__(
@@ -158,25 +161,30 @@ class CoupledContact:
         lower_texture: ArrayLike | None = None,
         upper_texture: ArrayLike | None = None,
     ):
-        """Plans the operators of both bodies; they are without plastic strain.
+        """Sets up the operators of both bodies, which start without plastic strain.
 
         Args:
             contact: grid of the contact.
-            lower: grid of the lower body, with the rows and cells of `contact`, and columns wherever it will pass.
-            upper: that of the upper one; what it is for a rigid body does not matter but for its rows and cells.
-            lower_material: a body without hardening law stays elastic.
-            upper_material: at least one is not `RIGID`.
-            scale: a length to which tolerances of lengths are relative [m]: the approach at first yield is a good one.
-            yield_tolerance: largest violation of the yield condition, relative to the yield stress.
-            displacement_tolerance: largest change of the residual displacement in the last evaluation, over `scale`.
-            contact_tolerance: largest gap under pressure, over `scale`.
-            twin: of two bodies that are alike only the lower one is solved, and the upper one has its fields:
-                "mirror_image", reversed in x (asperities that pass each other), or "alike" (rolling).
-            lower_texture: (ny, nx) on the grid of the lower body: depth of its surface before the first load [m].
+            lower: grid of the lower body, with the same number of rows and the same cell size as `contact`, and with
+                enough columns for every position of the contact.
+            upper: grid of the upper body, as `lower`. For a rigid body only its rows and cell size matter.
+            lower_material: material of the lower body; without a hardening law the body stays elastic.
+            upper_material: material of the upper body. At least one of the two is not `RIGID`.
+            scale: length to which the tolerances of lengths are relative [m], for example the approach at first yield.
+            yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
+            displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to
+                `scale` [-].
+            contact_tolerance: largest gap under pressure, relative to `scale` [-].
+            twin: for two equal bodies, of which only the lower one is solved: "mirror_image" gives the upper body the
+                fields of the lower one mirrored in x (asperities that pass each other), "alike" the same fields
+                (rolling). "none": both bodies are solved.
+            lower_texture: (ny, nx) on the grid of the lower body, depth of its surface before the first load [m]; None:
+                smooth.
             upper_texture: the same for the upper body.
 
         Raises:
-            InputError: what does not fit together.
+            InputError: grids, materials, textures and `twin` are not compatible, a tolerance is not above 0, or a body
+                needs more memory than the machine has.
         """
         if twin not in ("none", "mirror_image", "alike"):
             raise InputError(f'twin = "{twin}"; allowed: "none", "mirror_image" or "alike"')
@@ -210,12 +218,12 @@ class CoupledContact:
         return f"<CoupledContact {cells(self.grid.shape)}>"
 
     def set_softening(self, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> None:
-        """Sets factors on the yield stress, as by the temperature; they hold from the next increment on.
+        """Sets factors on the yield stress, for example for thermal softening; they apply from the next increment on.
 
         Args:
-            lower: (nz, ny, nx) of the cells of the lower body, > 0, as by
+            lower: (nz, ny, nx) factors of the cells of the lower body, > 0, for example from
                 `brinell.constitutive.softening_factor` [-]; None: 1 everywhere.
-            upper: the same of the upper body; a twin has those of the lower one.
+            upper: the same for the upper body; a twin uses those of the lower body.
 
         Raises:
             InputError: a wrong shape, a factor that is not above 0, or factors for a twin.
@@ -239,23 +247,24 @@ class CoupledContact:
         max_evaluations: int = 60,
         anderson_depth: int = 6,
     ) -> IncrementReport:
-        """Solves one increment from the present state, and keeps it. Ctrl-C stops between two evaluations.
+        """Solves one increment from the present state and stores the new state.
+
+        Ctrl-C stops the solution between two evaluations. After an error or Ctrl-C the state is unchanged.
 
         Args:
-            distance: (ny, nx) of the smooth, undeformed surfaces on the contact grid where they touch without load [m].
-            load: [N], >= 0.
-            approach: instead of the load [m].
-            mean_gap: instead, with two periodic axes, the mean gap over the period, >= 0 [m].
-            lower: where the contact grid lies on the lower body's.
-            upper: where it lies on the upper body's.
+            distance: (ny, nx) distance of the smooth, undeformed surfaces at zero approach, on the contact grid [m].
+            load: normal load at the end of the increment, >= 0 [N].
+            approach: approach at the end of the increment, instead of the load [m].
+            mean_gap: mean gap over the period, instead of the load, with two periodic axes; >= 0 [m].
+            lower: position of the contact grid on the grid of the lower body.
+            upper: position of the contact grid on the grid of the upper body.
             integration: of the plastic strain: "path", second order in the increment, or "backward_euler", first order.
-            max_evaluations: after which an attempt is given up.
-            anderson_depth: earlier evaluations used to accelerate; 0: plain fixed point.
+            max_evaluations: largest number of evaluations of each of two attempts.
+            anderson_depth: number of earlier evaluations in the Anderson acceleration; 0: plain fixed-point iteration.
 
         Raises:
-            ConvergenceError: two attempts did not converge, and a smaller increment may help. After any error, and
-                after Ctrl-C, everything is as it was before.
-            InputError: a wrong shape, a negative load or mean gap, not one of load, approach and mean gap, or
+            ConvergenceError: two attempts did not converge; a smaller increment may help.
+            InputError: a wrong shape, a negative load or mean gap, not exactly one of load, approach and mean gap, or
                 a contact that leaves a grid.
         """
         if integration not in ("path", "backward_euler"):
@@ -267,7 +276,8 @@ class CoupledContact:
         distance = contiguous(distance, "distance")
         drive = drive_of(load, approach, mean_gap)
         evaluations = 0
-        # A cell's own stiffness converges fastest; with all of it the plain fixed point would descend always.
+        # A share of 0.6 of a cell's own stiffness converges fastest. With the full stiffness the plain fixed-point
+        # iteration always descends, so it is the second attempt.
         for stiffness_share in (0.6, 1.0):
             report = self._engine.advance(
                 distance,
@@ -299,30 +309,30 @@ class CoupledContact:
 
     @property
     def pressure(self) -> Array:
-        """(ny, nx) on the contact grid [Pa]."""
+        """(ny, nx) pressure on the contact grid [Pa]."""
         return self._engine.pressure
 
     @property
     def gap(self) -> Array:
-        """(ny, nx) on the contact grid [m]."""
+        """(ny, nx) gap between the deformed surfaces on the contact grid [m]."""
         return self._engine.gap
 
     @property
     def approach(self) -> float:
-        """Of the last increment [m]."""
+        """Approach at the end of the last increment [m]."""
         return self._engine.approach
 
     @property
     def load(self) -> float:
-        """Sum of the pressure [N]."""
+        """Normal load, the integral of the pressure [N]."""
         return self._engine.load
 
     @property
     def elastic_energy(self) -> float:
-        """What unloading gives back, 1/2 p A p [J]."""
+        """Elastic energy 1/2 p A p that is recovered on unloading [J]."""
         return self._engine.elastic_energy
 
     @property
     def reaches_edge(self) -> bool:
-        """Whether pressure acts on the outermost cells of the contact grid, so that this is too small."""
+        """Whether pressure acts on the outermost cells of the contact grid, which is then too small."""
         return self._engine.reaches_edge

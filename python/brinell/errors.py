@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The kinds of error, the same as in the engine."""
+"""Exceptions of brinell, with the same kinds as in the engine."""
 
 __all__ = [
     "ArgumentError",
@@ -14,23 +14,23 @@ __all__ = [
 
 
 class BrinellError(Exception):
-    """Any error of brinell; its text is for the user."""
+    """Base class of all errors of brinell; the text is written for the user."""
 
 
 class InputError(BrinellError, ValueError):
-    """What was given cannot be computed: a bad key, value, unit or combination; says where and what is allowed."""
+    """Invalid input: a wrong key, value, unit or combination. The text says where, and what is allowed."""
 
 
 class ArgumentError(InputError, TypeError):
-    """A class has no such argument, or lacks one; says which, what was probably meant and what there is."""
+    """Unknown or missing argument of a class. The text names it, suggests a similar name and lists what is allowed."""
 
 
 class GridError(InputError):
-    """The grid, given or automatic, does not suit the case."""
+    """The given or automatic grid is not suitable for the case, for example too small or too large."""
 
 
 class ConvergenceError(BrinellError, RuntimeError):
-    """An increment did not reach its tolerance, also after splitting; finished steps are kept."""
+    """An increment did not reach its tolerance, even after it was split; finished steps are kept."""
 
 
 class IoError(BrinellError, OSError):
@@ -38,18 +38,18 @@ class IoError(BrinellError, OSError):
 
 
 class InternalError(BrinellError):
-    """A bug of brinell, please report it."""
+    """A bug in brinell; please report it."""
 
 
 class MissingExtraError(BrinellError, ImportError):
-    """What was asked for needs a package that is not installed."""
+    """A function needs an optional package that is not installed."""
 
     def __init__(self, what: str, package: str, extra: str):
-        """Says how to install it.
+        """Makes the message, with the command that installs the package.
 
         Args:
-            what: needs it.
-            package: its name.
-            extra: of brinell that brings it.
+            what: function or feature that needs the package.
+            package: name of the package.
+            extra: extra of brinell that installs the package.
         """
         super().__init__(f'{what} needs {package}, which is not installed: pip install "brinell[{extra}]"')

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results as image files of VTK, for programs that do not open result.vtkhdf, such as older versions of ParaView."""
+"""Export of results to VTK image files, for programs that cannot open result.vtkhdf, such as older ParaViews."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ _BODIES: tuple[Body, ...] = ("lower", "upper")
 
 
 def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = None) -> list[Path]:
-    """Writes the stored states as image files of VTK.
+    """Writes the stored states as VTK image files.
 
-    They are upright: the lower body below z = 0, the upper one above it. A volume has one value per cell. A surface is
-    a sheet of points in the cells' centres, which can be warped by its values. Tensors come as six scalars
-    (``stress_xx``, ...) of the body's own axes, z into it.
+    The lower body is below z = 0, the upper one above it. A volume has one value per cell. A surface is a sheet of
+    points at the cell centres, which can be warped by its values. A tensor is written as six scalars (``stress_xx``,
+    ...) in the body's own axes, with z into the body.
 
     Args:
-        run: of which something is stored.
-        folder: is made if it is not there.
-        fields: names as in `Run.field`; all if None.
+        run: run with stored fields.
+        folder: output folder, which is made if it does not exist.
+        fields: names of fields as in `Run.field`; None: all.
 
     Returns:
-        The collections over time (.pvd), one for each volume and surface: open these. The time is the number of the
-        step; the final state has the number after the last step.
+        Paths of the collections over time (.pvd), one for each volume and surface, which can be opened in ParaView. The
+        time is the step number; the final state has the number after the last step.
 
     Raises:
         RunError: the run holds no fields.
@@ -64,13 +64,13 @@ def export_vti(run: Run, folder: str | Path, *, fields: Sequence[str] | None = N
 
 
 def _is_part_of(names: Set[str], name: str) -> bool:
-    """Whether it is a component of one of these tensors."""
+    """Whether a name is a component of one of the tensors in `names`."""
     component = component_of(name)
     return component is not None and component[0] in names
 
 
 def _wanted(run: Run, body: Body, fields: Sequence[str] | None) -> list[Labelled]:
-    """Of a body. A component of a tensor that is wanted as a whole comes with it."""
+    """Requested fields of a body; a component is not repeated if its whole tensor is requested."""
     stored = run.field_names(body)
     if fields is None:
         return [run.field(body, name) for name in stored]
@@ -82,7 +82,7 @@ def _wanted(run: Run, body: Body, fields: Sequence[str] | None) -> list[Labelled
 
 
 def _write_collection(folder: Path, name: str, fields: Sequence[Labelled], *, below: bool) -> Path:
-    """All states of one grid, which lies below z = 0 or above it."""
+    """Writes all states of one grid, which is below or above z = 0."""
     collection = VtkGroup(str(folder / name))
     for index, step in enumerate(fields[0].coords["step"]):
         states = [field.isel(step=index) for field in fields]
@@ -94,7 +94,7 @@ def _write_collection(folder: Path, name: str, fields: Sequence[Labelled], *, be
 
 
 def _scalars(state: Labelled) -> dict[str, NDArray[np.float64]]:
-    """A field by components, x first and fastest."""
+    """Components of a field by name, with x as the first and fastest index."""
     if "component" in state.dims:
         names = [f"{state.name}_{component}" for component in state.coords["component"]]
         return dict(zip(names, (values.T for values in state.values), strict=True))
@@ -105,14 +105,14 @@ def _scalars(state: Labelled) -> dict[str, NDArray[np.float64]]:
 def _write_image(
     path: Path, coords: Mapping[str, NDArray[np.float64]], arrays: Mapping[str, NDArray[np.float64]], *, below: bool
 ) -> str:
-    """One file; its name gets an ending."""
+    """Writes one image file and returns its name with the extension."""
     first = tuple(float(coords[axis][0]) if axis in coords else 0.0 for axis in "xyz")
     spacing = tuple(float(np.ptp(coords[axis][:2])) if axis in coords else 1.0 for axis in "xyz")
     shape = next(iter(arrays.values())).shape
     if "z" not in coords:
         return _write_vti(path, "Point", tuple(n - 1 for n in shape), first, spacing, arrays)
     left, front, top = (x - 0.5 * dx for x, dx in zip(first, spacing, strict=True))
-    if below:  # the last index is the depth
+    if below:  # the last index is the depth, which points down
         arrays = {name: np.asfortranarray(values[:, :, ::-1]) for name, values in arrays.items()}
         top = -shape[2] * spacing[2]
     return _write_vti(path, "Cell", shape, (left, front, top), spacing, arrays)
@@ -126,7 +126,7 @@ def _write_vti(
     spacing: tuple[float, ...],
     arrays: Mapping[str, NDArray[np.float64]],
 ) -> str:
-    """What pyevtk's imageToVTK does, but that takes cells of some nanometres for a missing dimension."""
+    """Replacement of pyevtk's imageToVTK, which mistakes cells of a few nanometres for a missing dimension."""
     file = VtkFile(str(path), VtkImageData)
     file.openGrid(start=(0, 0, 0), end=end, origin=origin, spacing=spacing)
     file.openPiece(start=(0, 0, 0), end=end)

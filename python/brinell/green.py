@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Closed-form solutions of the elastic half space z >= 0, z into the body: loaded rectangles and strained cuboids.
 
-Coordinates are arrays that are broadcast against each other, to the shape that is written (...) below. Stresses are
-positive in tension, components come first, in the order xx, yy, zz, yz, xz, xy; shear strains are tensor components.
+Coordinates are arrays that are broadcast against each other; (...) below is their common shape. Stresses are positive
+in tension. Tensor components come first, in the order xx, yy, zz, yz, xz, xy; shear strains are tensor components, not
+engineering shear.
 """
 
 from __future__ import annotations
@@ -29,9 +30,9 @@ _TRACTIONS = {
 
 
 def rectangle_displacement(x: ArrayLike, y: ArrayLike, dx: float, dy: float) -> Array:
-    """Integral of 1/r over a rectangle in the plane of the point (Love 1929; Johnson 1985, Eq. 3.25).
+    """Integral of 1/r over a rectangle for a point in the same plane (Love 1929; Johnson 1985, Eq. 3.25).
 
-    A uniform pressure p on it displaces the surface by u_z = (1 - nu^2)/(pi E) p times this value.
+    A uniform pressure p on the rectangle displaces the surface by u_z = (1 - nu^2)/(pi E) p times this value.
 
     Args:
         x: points along x, from the rectangle's centre [m].
@@ -40,7 +41,7 @@ def rectangle_displacement(x: ArrayLike, y: ArrayLike, dx: float, dy: float) -> 
         dy: side along y [m].
 
     Returns:
-        (...) [m], > 0.
+        (...) value of the integral, > 0 [m].
     """
     require_positive(dx=dx, dy=dy)
     shape, (x, y) = points(x=x, y=y)
@@ -61,15 +62,16 @@ def rectangle_stress(
     Args:
         x: points along x, from the rectangle's centre [m].
         y: points along y [m].
-        z: depths [m], >= 0. On z = 0 the value of a pressure on an edge is the mean of its two sides; that of a
-            shear is infinite there.
+        z: depths [m], >= 0. On an edge at z = 0 the stress of a pressure is the mean of both sides; that of a shear is
+            infinite.
         dx: side along x [m].
         dy: side along y [m].
         poisson_ratio: nu [-].
-        traction: on the body, "pressure", "shear_x" or "shear_y".
+        traction: traction on the body: "pressure", "shear_x" or "shear_y".
 
     Returns:
-        (6, ...) [Pa/Pa]; just under the rectangle zz = -1 of a pressure, xz = -1 of a shear along x.
+        (6, ...) stress per traction [Pa/Pa]; just under the rectangle zz = -1 for a pressure, xz = -1 for a shear along
+        x.
     """
     if traction not in _TRACTIONS:
         raise InputError(f"traction = {traction!r}; allowed: {', '.join(map(repr, _TRACTIONS))}")
@@ -92,7 +94,7 @@ def cuboid_stress(
     young_modulus: float,
     poisson_ratio: float,
 ) -> Array:
-    """Stress in full space of a cuboid with a uniform eigenstrain (Chiu 1977; Mura 1987, Section 11).
+    """Stress in an infinite body by a cuboid with a uniform eigenstrain (Chiu 1977; Mura 1987, Section 11).
 
     Args:
         x: points along x, from the cuboid's centre [m]; not on an edge.
@@ -106,7 +108,7 @@ def cuboid_stress(
         poisson_ratio: nu [-].
 
     Returns:
-        (6, ...) [Pa]; on a face the components that jump have the mean of both sides.
+        (6, ...) stress [Pa]; on a face, components that are discontinuous there have the mean of both sides.
     """
     require_positive(dx=dx, dy=dy, dz=dz, young_modulus=young_modulus)
     shape, (x, y, z) = points(x=x, y=y, z=z)
@@ -127,7 +129,7 @@ def cuboid_stress_half_space(
     young_modulus: float,
     poisson_ratio: float,
 ) -> Array:
-    """Stress of a cuboid with a uniform eigenstrain under a free surface (Liu et al. 2012).
+    """Stress in a half space by a cuboid with a uniform eigenstrain under the free surface (Liu et al. 2012).
 
     Args:
         x: points along x, from the cuboid's centre [m]; not on an edge.
@@ -142,7 +144,7 @@ def cuboid_stress_half_space(
         poisson_ratio: nu [-].
 
     Returns:
-        (6, ...) [Pa]; zz, yz and xz are zero on z = 0.
+        (6, ...) stress [Pa]; zz, yz and xz are zero on z = 0.
     """
     require_positive(dx=dx, dy=dy, dz=dz, young_modulus=young_modulus)
     _require_inside(zc, dz)
@@ -177,7 +179,7 @@ def cuboid_surface_displacement(
         poisson_ratio: nu [-].
 
     Returns:
-        (...) [m], into the body positive: a dilatation lifts the surface, u_z < 0 (Mindlin, Cheng 1950).
+        (...) displacement, positive into the body [m]: a dilatation raises the surface, u_z < 0 (Mindlin, Cheng 1950).
     """
     require_positive(dx=dx, dy=dy, dz=dz)
     _require_inside(zc, dz)

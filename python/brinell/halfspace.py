@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Half spaces on a regular grid: what a pressure, shears and a plastic strain do to one elastic body.
+"""Elastic half spaces on a regular grid: stress and displacement of a pressure, a shear traction and a plastic strain.
 
 Arrays on a grid are [y, x] or [z, y, x]; a tensor field is [component, z, y, x] with the six components xx, yy, zz, yz,
 xz, xy (tensor components, not engineering shear). z points into the body, pressure is positive in compression, stress
-in tension; a shear is the traction on the body along x or y. Values belong to the middle of a cell; there are no
-periodic images but along axes that are `periodic`. What comes back is a new array each time. An operator is
-planned once and may be applied by several threads.
+in tension; a shear is the traction on the body along x or y. Values are those at the centre of a cell. There are
+periodic images only along axes that are `periodic`. Each call returns a new array. An operator is set up once and may
+be applied by several threads.
 
     grid = VolumeGrid(SurfaceGrid(64, 64, 1e-6, 1e-6), nz=32, dz=1e-6)
     body = HalfSpace(grid, Material("210 GPa", 0.3))
@@ -30,32 +30,41 @@ __all__ = ["HalfSpace", "SurfaceCompliance", "SurfaceGrid", "VolumeGrid"]
 
 
 _SMALLEST, _LARGEST = 1e-30, 1e30
-"""Sizes of cells [m]: beyond them products of three underflow or overflow."""
+"""Allowed sizes of cells [m]: beyond these limits the product of three sizes underflows or overflows."""
 _BYTES_OF_SURFACE, _BYTES_OF_VOLUME = 110, 380
-"""Per cell: planning the operator and applying it once, without the arrays that the caller has."""
+"""Memory per cell [B] to set up an operator and apply it once, without the arrays of the caller."""
 
 
-def require_memory(cells: int, bytes_per_cell: float, what: str) -> None:
-    """Raises InputError if a grid cannot fit this machine: planning would take minutes before it fails."""
+def require_memory(cells: int, bytes_per_cell: float, subject: str) -> None:
+    """Raises InputError if a grid needs more memory than the machine has: the setup would take minutes before it fails.
+
+    Args:
+        cells: number of cells.
+        bytes_per_cell: memory per cell [B].
+        subject: noun for the error message, such as "a surface".
+    """
     needed, available = cells * bytes_per_cell, _core.machine_memory()
     if needed > available:
         raise InputError(
-            f"{what} of {cells:.1e} cells needs some {needed / 1e9:.0f} GB, this machine has {available / 1e9:.0f} GB; "
-            "allowed: fewer cells"
+            f"{subject} of {cells:.1e} cells needs some {needed / 1e9:.0f} GB, "
+            f"this machine has {available / 1e9:.0f} GB; allowed: fewer cells"
         )
 
 
 @dataclass(frozen=True)
 class SurfaceGrid:
-    """Rectangles dx * dy of a surface, with the origin of x and y in the middle of the grid.
+    """Regular grid of rectangular cells on a surface, with the origin of x and y in the middle of the grid.
 
     Attributes:
-        nx: cells along x, the direction of rolling or sliding.
-        ny: cells along y.
-        dx: size along x [m].
-        dy: size along y [m].
-        boundary: what lies beyond the ends: nothing, "open", or the same again, "periodic"; for both axes, or a pair
-            for x and y. It is kept as a pair.
+        nx: number of cells along x, the direction of rolling or sliding.
+        ny: number of cells along y.
+        dx: cell size along x [m].
+        dy: cell size along y [m].
+        boundary: "open" (no traction beyond the grid) or "periodic" (the grid repeats), for both axes or as a pair for
+            x and y. It is stored as a pair.
+
+    Raises:
+        InputError: a count that is not a whole number from 1 to 100000, a size out of range, or an unknown boundary.
     """
 
     nx: int
@@ -75,27 +84,27 @@ class SurfaceGrid:
 
     @property
     def is_periodic(self) -> tuple[bool, bool]:
-        """Whether along x, and along y."""
+        """Whether the grid is periodic along x, and along y."""
         return self.boundary[0] == "periodic", self.boundary[1] == "periodic"
 
     @property
     def shape(self) -> tuple[int, int]:
-        """(ny, nx), of an array on this grid."""
+        """Shape (ny, nx) of an array on this grid."""
         return self.ny, self.nx
 
     @property
     def x(self) -> Array:
-        """(nx,), the middles of the columns [m]."""
+        """(nx,) coordinates of the cell centres along x [m]."""
         return _middles(self.nx, self.dx)
 
     @property
     def y(self) -> Array:
-        """(ny, 1), the middles of the rows [m]: an expression of x and y is an array on the grid."""
+        """(ny, 1) coordinates of the cell centres along y [m]; an expression of x and y broadcasts to (ny, nx)."""
         return _middles(self.ny, self.dy)[:, None]
 
     @property
     def cell_area(self) -> float:
-        """The area dx dy of a cell [m^2]."""
+        """Area dx dy of a cell [m^2]."""
         return self.dx * self.dy
 
     @property
@@ -105,12 +114,15 @@ class SurfaceGrid:
 
 @dataclass(frozen=True)
 class VolumeGrid:
-    """Layers of cuboids under a surface; layer k spans the depths from k dz to (k + 1) dz.
+    """Regular grid of cuboid cells under a surface; layer k spans the depths from k dz to (k + 1) dz.
 
     Attributes:
-        surface: cells of each layer.
-        nz: layers.
-        dz: their thickness [m].
+        surface: grid of the cells of each layer.
+        nz: number of layers.
+        dz: thickness of a layer [m].
+
+    Raises:
+        InputError: `nz` is not a whole number from 1 to 100000, or `dz` is out of range.
     """
 
     surface: SurfaceGrid
@@ -122,17 +134,17 @@ class VolumeGrid:
 
     @property
     def shape(self) -> tuple[int, int, int]:
-        """(nz, ny, nx), of an array on this grid."""
+        """Shape (nz, ny, nx) of an array on this grid."""
         return self.nz, *self.surface.shape
 
     @property
     def z(self) -> Array:
-        """(nz, 1, 1), the middles of the layers [m]."""
+        """(nz, 1, 1) depths of the middles of the layers [m]."""
         return np.asarray((np.arange(self.nz) + 0.5) * self.dz, dtype=np.float64)[:, None, None]
 
     @property
     def cell_volume(self) -> float:
-        """The volume dx dy dz of a cell [m^3]."""
+        """Volume dx dy dz of a cell [m^3]."""
         return self.surface.cell_area * self.dz
 
     @property
@@ -141,25 +153,26 @@ class VolumeGrid:
 
 
 class SurfaceCompliance:
-    """Pressure -> sum of the elastic normal displacements of two bodies (Love 1929); shears, too (Cerruti).
+    """Elastic displacement of the surfaces of two bodies under pressure (Love 1929) and shear traction (Cerruti).
 
-    The operator is symmetric and positive definite, so it is its own transpose. On a grid that is periodic along both
-    axes a uniform pressure gives no displacement: displacements are those from the mean plane.
+    The operator is symmetric and positive definite. On a grid that is periodic along both axes a uniform pressure gives
+    no displacement: displacements are measured from the mean plane.
     """
 
     def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
-        """Plans the operator.
+        """Sets up the operator.
 
         Args:
-            grid: of pressure and displacement.
-            lower: one body; of its material only the elastic constants count.
-            upper: the other one.
-            reference: on a grid that is periodic along one axis, the distance from a line load at which its
-                displacement in any direction is counted as zero [m], larger than the surface: it has a logarithm
-                without end.
+            grid: grid of pressure and displacement.
+            lower: material of the lower body; only its elastic constants are used.
+            upper: material of the upper body; only its elastic constants are used.
+            reference: only on a grid that is periodic along exactly one axis: distance from a line load at which its
+                displacement in any direction is set to zero [m]. It must exceed the size of the surface. It is needed
+                because the displacement of a line load grows with the logarithm of the distance without bound.
 
         Raises:
-            InputError: both are rigid, a material is impossible, or a reference is missing or of no use.
+            InputError: both bodies are rigid, a material is invalid, `reference` is missing or not applicable, or the
+                grid needs more memory than the machine has.
         """
         require_memory(grid.nx * grid.ny, _BYTES_OF_SURFACE, "a surface")
         if (sum(grid.is_periodic) == 1) != (reference is not None):
@@ -171,22 +184,22 @@ class SurfaceCompliance:
             raise InputError(f"reference = {reference}; allowed: a length above 0")
         self.grid = grid
         self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
-        """E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
+        """Contact modulus E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
         self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus, reference or 0.0)
         self._pair = lower, upper, reference
-        self._tractions: _core.TractionCompliance | None = None  # planned when it is first needed
+        self._tractions: _core.TractionCompliance | None = None  # set up on first use
 
     def __repr__(self) -> str:
         return f"<SurfaceCompliance {cells(self.grid.shape)}>"
 
     def pressure_to_displacement(self, pressure: ArrayLike) -> Array:
-        """Normal displacement, u = 1/(pi E') integral of p/r.
+        """Normal displacement u = 1/(pi E') integral of p/r, summed over both bodies.
 
         Args:
-            pressure: (ny, nx) [Pa].
+            pressure: (ny, nx) pressure [Pa].
 
         Returns:
-            (ny, nx) [m], the approach that it takes up.
+            (ny, nx) displacement, each body's positive into that body, so that it widens the gap [m].
         """
         return self._engine.displacement(contiguous(pressure, "pressure"))
 
@@ -196,19 +209,20 @@ class SurfaceCompliance:
         shear_x: ArrayLike | None = None,
         shear_y: ArrayLike | None = None,
     ) -> Array:
-        """Displacement along all axes (docs/theory/half-space.md).
+        """Displacement along x, y and z (docs/theory/half-space.md).
 
-        The shears act on the lower body, and on the upper one the other way. The displacement along z is the sum of
-        both bodies', each along its own z; along x and y it is that of the lower body less that of the upper one. The
-        operator is symmetric. Bodies with equal constants do not couple pressure and shear.
+        The shear acts on the lower body, and with the opposite sign on the upper one. The displacement along z is the
+        sum of both bodies' displacements, each positive into its own body. Along x and y it is the displacement of the
+        lower body minus that of the upper one. The operator is symmetric. If both bodies have the same elastic
+        constants, pressure and shear are uncoupled.
 
         Args:
-            pressure: (ny, nx) [Pa]; None: zero.
-            shear_x: (ny, nx) [Pa]; None: zero.
-            shear_y: (ny, nx) [Pa]; None: zero.
+            pressure: (ny, nx) pressure [Pa]; None: zero.
+            shear_x: (ny, nx) shear on the lower body along x [Pa]; None: zero.
+            shear_y: (ny, nx) shear on the lower body along y [Pa]; None: zero.
 
         Returns:
-            (3, ny, nx) [m], along x, y and z.
+            (3, ny, nx) displacement along x, y and z [m].
         """
         return self._traction_engine.displacement(
             _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
@@ -225,23 +239,24 @@ class SurfaceCompliance:
 
 
 class HalfSpace:
-    """One elastic body with a traction on its surface and a plastic strain.
+    """Elastic half space with a traction on its surface and a plastic strain inside.
 
-    Three operators: B, pressure -> stress; its transpose B', plastic strain -> normal displacement of the surface; and
-    H, plastic strain -> residual stress, which is symmetric. With the same coefficients both ways Betti's theorem holds
-    to rounding: the sum of B p : eps dV is that of p B' eps dA, and the sum of H eps1 : eps2 that of H eps2 : eps1. The
-    same holds for shears and the displacement along x and y. What shears need is planned when the first one comes.
+    The class has three operators: B maps a pressure to stress; its transpose B' maps a plastic strain to the normal
+    displacement of the surface; H, which is symmetric, maps a plastic strain to the residual stress. B and B' use the
+    same coefficients, so that Betti's theorem holds to rounding: the sum of B p : eps dV equals that of p B' eps dA,
+    and the sum of H eps1 : eps2 equals that of H eps2 : eps1. The same holds for shear and the displacement along x and
+    y; the operators of the shear are set up on first use.
     """
 
     def __init__(self, grid: VolumeGrid, material: Material):
-        """Plans the operators.
+        """Sets up the operators.
 
         Args:
-            grid: of stress and strain; the pressure is on its surface.
-            material: of it only the elastic constants count.
+            grid: grid of stress and strain; the pressure is on its surface grid.
+            material: material of the body; only its elastic constants are used.
 
         Raises:
-            InputError: the material is rigid or impossible.
+            InputError: the material is rigid or invalid, or the grid needs more memory than the machine has.
         """
         if material.is_rigid:
             raise InputError("a rigid body has no stress; allowed: an elastic material")
@@ -261,16 +276,16 @@ class HalfSpace:
         shear_x: ArrayLike | None = None,
         shear_y: ArrayLike | None = None,
     ) -> Array:
-        """Stress of what acts on the surface and of a plastic strain together.
+        """Total stress of the surface traction and the plastic strain.
 
         Args:
-            pressure: (ny, nx) [Pa]; None: zero.
+            pressure: (ny, nx) pressure [Pa]; None: zero.
             eigenstrain: (6, nz, ny, nx) plastic strain, xx + yy + zz = 0 [-]; None: zero.
             shear_x: (ny, nx) traction on the body along x [Pa]; None: zero.
-            shear_y: (ny, nx) [Pa]; None: zero.
+            shear_y: (ny, nx) traction on the body along y [Pa]; None: zero.
 
         Returns:
-            (6, nz, ny, nx) [Pa], mean over the thickness of a layer, at the middle of a cell in x and y.
+            (6, nz, ny, nx) stress, averaged over the thickness of a layer, at the middle of a cell in x and y [Pa].
         """
         return self._engine.stress(
             _optional(pressure, "pressure"),
@@ -280,36 +295,39 @@ class HalfSpace:
         )
 
     def pressure_to_stress(self, pressure: ArrayLike) -> Array:
-        """Stress under a pressure (Love 1929), B.
+        """Stress under a pressure (Love 1929), operator B.
 
         Args:
-            pressure: (ny, nx) [Pa].
+            pressure: (ny, nx) pressure [Pa].
 
         Returns:
-            (6, nz, ny, nx) [Pa].
+            (6, nz, ny, nx) stress [Pa].
         """
         return self.stress(pressure, None)
 
     def eigenstrain_to_stress(self, eigenstrain: ArrayLike) -> Array:
-        """Residual stress of a plastic strain in a body with a free surface, H (docs/theory/half-space.md).
+        """Residual stress of a plastic strain in a body with a free surface, operator H (docs/theory/half-space.md).
 
         Args:
-            eigenstrain: (6, nz, ny, nx), xx + yy + zz = 0 [-].
+            eigenstrain: (6, nz, ny, nx) plastic strain, xx + yy + zz = 0 [-].
 
         Returns:
-            (6, nz, ny, nx) [Pa].
+            (6, nz, ny, nx) residual stress [Pa].
         """
         return self.stress(None, eigenstrain)
 
     def eigenstrain_to_displacement(self, eigenstrain: ArrayLike, axis: str = "z") -> Array:
-        """Displacement of the surface of a plastic strain, B' (Betti's theorem).
+        """Residual displacement of the surface by a plastic strain, operator B' (by Betti's theorem).
 
         Args:
-            eigenstrain: (6, nz, ny, nx), xx + yy + zz = 0 [-].
-            axis: "z", the normal displacement, "x" or "y".
+            eigenstrain: (6, nz, ny, nx) plastic strain, xx + yy + zz = 0 [-].
+            axis: "z" for the normal displacement, or "x" or "y".
 
         Returns:
-            (ny, nx) [m], along z into the body positive.
+            (ny, nx) displacement [m]; along z positive into the body.
+
+        Raises:
+            InputError: a wrong shape, or an unknown axis.
         """
         if axis not in ("x", "y", "z"):
             raise InputError(f"axis = {axis!r} of a displacement; allowed: 'x', 'y', 'z'")

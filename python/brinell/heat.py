@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heat: a flux into the surface of a half space, the rise of its temperature, and how that swells and stresses it.
+"""Heat flux into the surface of a half space: temperature rise, thermal displacement and thermal stress.
 
-The grid is at rest on the body, and the flux moves over it; no heat leaves the surface elsewhere. Arrays are [y, x].
-The method is on the page on heat of the theory. No scenario uses it yet.
+The grid is at rest on the body, and the flux moves over it; the surface is adiabatic elsewhere. Arrays are [y, x].
+The theory page on heat describes the method.
 
     grid = SurfaceGrid(64, 64, 1e-5, 1e-5)
     steel = Thermal(conductivity=50, density=7850, specific_heat=450)
     steady = HeatResponse(grid, steel, velocity=1.0).temperature(flux)
 
-What heat does to an elastic body needs its thermal expansion, too:
+Thermal displacement and stress need the thermal expansion as well:
 
     steel = Thermal(conductivity=50, density=7850, specific_heat=450, expansion=12e-6)
     field = ThermalField(grid, steel, Material("210 GPa", 0.3), shortest_step=1e-5, duration=1e-3, depths=[0.0, 2e-5])
@@ -35,16 +35,17 @@ from brinell.materials import Material, Thermal
 __all__ = ["HeatResponse", "SteadyField", "SurfaceTemperature", "ThermalField"]
 
 _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
-"""Per cell: the planned operator; the state of all waves, without most images; the same for fields in the body."""
+"""Memory per cell [B] of an operator, of the state of all waves (without most images), and of that state with fields in
+the body."""
 _BYTES_OF_STEADY_LAYER = 500
-"""Per cell and depth: seven planned operators, and while they are planned a table each."""
+"""Memory per cell and depth [B]: seven operators, and one table for each of them during the setup."""
 
 
 class HeatResponse:
-    """A flux that has been constant while it stood or moved over the body -> temperature of the surface at the end.
+    """Surface temperature at the end of a time during which a constant flux rested on the body or moved over it.
 
-    Exact for cells of uniform flux (Carslaw and Jaeger 1959), at any speed, without periodic images but along axes that
-    are periodic.
+    The operator is exact for cells of uniform flux (Carslaw and Jaeger 1959) at any speed. There are periodic images
+    only along axes that are periodic.
     """
 
     def __init__(
@@ -55,17 +56,17 @@ class HeatResponse:
         duration: float | None = None,
         velocity: float | tuple[float, float] = 0.0,
     ):
-        """Plans the operator.
+        """Sets up the operator.
 
         Args:
-            grid: of flux and temperature.
-            thermal: constants of the body.
-            duration: for how long [s]; None: for ever, the steady state.
-            velocity: of the flux over the body, along x, or along x and y [m/s].
+            grid: grid of flux and temperature.
+            thermal: thermal constants of the body.
+            duration: time for which the flux has acted [s]; None: infinite, the steady state.
+            velocity: velocity of the flux over the body, along x, or along x and y [m/s].
 
         Raises:
-            InputError: a duration that is not above 0; a steady state that there is not, because heat piles up along a
-                periodic axis.
+            InputError: a duration that is not above 0; a steady state that does not exist because heat accumulates
+                along a periodic axis; or a grid that needs more memory than the machine has.
         """
         require_memory(grid.nx * grid.ny, _BYTES_OF_RESPONSE, "a surface")
         self.grid = grid
@@ -75,35 +76,36 @@ class HeatResponse:
         return f"<HeatResponse {cells(self.grid.shape)}>"
 
     def temperature(self, flux: ArrayLike) -> Array:
-        """Rise of the temperature at the end.
+        """Temperature rise of the surface at the end of the duration.
 
         Args:
-            flux: (ny, nx) into the body [W/m^2], where it is at the end.
+            flux: (ny, nx) heat flux into the body, at its position at the end [W/m^2].
 
         Returns:
-            (ny, nx) [K], in the middles of the cells.
+            (ny, nx) temperature rise at the cell centres [K].
         """
         return self._engine.temperature(contiguous(flux, "flux"))
 
 
 class SurfaceTemperature:
-    """Flux, step by step -> temperature of the surface.
+    """Surface temperature under a heat flux that is given step by step.
 
-    What a body remembers of all steps has a fixed size, and a step costs the same however many there were. A step is
-    exact for a flux that is constant while it moves with the step's velocity.
+    The thermal history of the body is stored in a fixed amount of memory, and the cost of a step does not depend on the
+    number of earlier steps. A step is exact for a flux that is constant while it moves with the velocity of the step.
     """
 
     def __init__(self, grid: SurfaceGrid, thermal: Thermal, *, shortest_step: float, duration: float):
-        """Plans the memory of a body that is cold.
+        """Sets up the history of a body without initial temperature rise.
 
         Args:
-            grid: of flux and temperature, at rest on the body.
-            thermal: constants of the body.
-            shortest_step: of all steps [s].
-            duration: of all steps together [s].
+            grid: grid of flux and temperature, at rest on the body.
+            thermal: thermal constants of the body.
+            shortest_step: lower bound of the durations of all steps [s].
+            duration: upper bound of the total time of all steps [s].
 
         Raises:
-            InputError: times that are not above 0, or a duration below the shortest step.
+            InputError: times that are not above 0, a duration below the shortest step, or a grid that needs more memory
+                than the machine has.
         """
         require_memory(grid.nx * grid.ny, _BYTES_OF_MEMORY, "the memory of a surface")
         self.grid = grid
@@ -111,26 +113,26 @@ class SurfaceTemperature:
         self._engine = _core.SurfaceTemperature(
             grid._engine, thermal._engine, number(shortest_step, "shortest_step"), number(duration, "duration")
         )
-        self._response: tuple[tuple[object, ...], HeatResponse] | None = None  # of the last motion
+        self._response: tuple[tuple[object, ...], HeatResponse] | None = None  # that of the last motion, for reuse
 
     def __repr__(self) -> str:
         return f"<SurfaceTemperature {cells(self.grid.shape)}, {self.time:g} s>"
 
     @property
     def time(self) -> float:
-        """Of all steps so far [s]."""
+        """Total time of the steps so far [s]."""
         return self._engine.time
 
     def step(self, flux: ArrayLike, duration: float, velocity: float | tuple[float, float] = 0.0) -> Array:
-        """Takes one step.
+        """Advances the body by one step.
 
         Args:
-            flux: (ny, nx) into the body [W/m^2], where it is at the end of the step.
-            duration: of the step [s].
-            velocity: of the flux over the body, along x, or along x and y [m/s].
+            flux: (ny, nx) heat flux into the body, at its position at the end of the step [W/m^2].
+            duration: duration of the step [s].
+            velocity: velocity of the flux over the body, along x, or along x and y [m/s].
 
         Returns:
-            (ny, nx) rise of the temperature at the end [K].
+            (ny, nx) temperature rise of the surface at the end of the step [K].
 
         Raises:
             InputError: the step is shorter than `shortest_step`, or ends after `duration`.
@@ -146,11 +148,11 @@ class SurfaceTemperature:
 
 
 class ThermalField:
-    """Flux, step by step -> displacement of the surface, temperature and stress in the body.
+    """Thermal displacement of the surface, temperature and stress in the body under a flux that is given step by step.
 
-    The surface is free of traction. It remembers as `SurfaceTemperature` does. Along open axes there are no images, to
-    some 1e-3 of the largest value; the displacement is that from far away, and of a flux that stands it grows with the
-    logarithm of the time. If both axes are periodic, the mean strain along the surface is zero.
+    The surface is free of traction. The history is stored as in `SurfaceTemperature`. Along open axes the error by
+    periodic images is some 1e-3 of the largest value. The displacement is relative to points far away; under a flux at
+    rest it grows with the logarithm of the time. If both axes are periodic, the mean strain along the surface is zero.
     """
 
     def __init__(
@@ -163,18 +165,19 @@ class ThermalField:
         duration: float,
         depths: Sequence[float] = (),
     ):
-        """Plans the memory of a body that is cold.
+        """Sets up the history of a body without initial temperature rise.
 
         Args:
-            grid: of flux and fields, at rest on the body.
-            thermal: constants of the body.
-            material: of it only the elastic constants count.
-            shortest_step: of all steps [s].
-            duration: of all steps together [s].
-            depths: of the layers with temperature and stress [m]; 0 is the surface.
+            grid: grid of flux and fields, at rest on the body.
+            thermal: thermal constants of the body, with its expansion.
+            material: material of the body; only its elastic constants are used.
+            shortest_step: lower bound of the durations of all steps [s].
+            duration: upper bound of the total time of all steps [s].
+            depths: depths at which temperature and stress are computed [m]; 0 is the surface.
 
         Raises:
-            InputError: times that are not above 0, a duration below the shortest step, a depth below 0, a rigid body.
+            InputError: times that are not above 0, a duration below the shortest step, a negative depth, a rigid body,
+                or a grid that needs more memory than the machine has.
         """
         if material.is_rigid:
             raise InputError("a rigid body has no thermal stress; allowed: an elastic material")
@@ -195,16 +198,16 @@ class ThermalField:
 
     @property
     def time(self) -> float:
-        """Of all steps so far [s]."""
+        """Total time of the steps so far [s]."""
         return self._engine.time
 
     def step(self, flux: ArrayLike, duration: float, velocity: float | tuple[float, float] = 0.0) -> None:
-        """Takes one step.
+        """Advances the body by one step.
 
         Args:
-            flux: (ny, nx) into the body [W/m^2], where it is at the end of the step.
-            duration: of the step [s].
-            velocity: of the flux over the body, along x, or along x and y [m/s].
+            flux: (ny, nx) heat flux into the body, at its position at the end of the step [W/m^2].
+            duration: duration of the step [s].
+            velocity: velocity of the flux over the body, along x, or along x and y [m/s].
 
         Raises:
             InputError: the step is shorter than `shortest_step`, or ends after `duration`.
@@ -212,34 +215,36 @@ class ThermalField:
         self._engine.take_up(contiguous(flux, "flux"), _motion(duration, velocity))
 
     def displacement(self, axis: str = "z", *, later: float = 0.0) -> Array:
-        """Displacement of the surface.
+        """Thermal displacement of the surface.
 
         Args:
-            axis: along which; z points into the body, so that heat makes it negative.
-            later: 0 for the end of the last step; or so much later, if nothing enters meanwhile, at least
-                `shortest_step` [s].
+            axis: direction "x", "y" or "z". z points into the body, so thermal expansion gives negative values.
+            later: time after the end of the last step, without flux [s]: 0, or at least `shortest_step`.
 
         Returns:
-            (ny, nx) [m].
+            (ny, nx) displacement [m].
+
+        Raises:
+            InputError: an unknown axis, or a time `later` that is not allowed.
         """
         if axis not in ("x", "y", "z"):
             raise InputError(f"axis = {axis!r} of a displacement; allowed: 'x', 'y', 'z'")
         return self._engine.displacement(axis, number(later, "later"))
 
     def temperature(self, *, later: float = 0.0) -> Array:
-        """Rise of the temperature at the depths, (len(depths), ny, nx) [K]; `later` as for `displacement`."""
+        """Temperature rise at the depths, (len(depths), ny, nx) [K]; `later` as in `displacement`."""
         return self._engine.temperature(number(later, "later"))
 
     def stress(self, *, later: float = 0.0) -> Array:
-        """Stress at the depths, (6, len(depths), ny, nx) [Pa], in the middles of cells; `later`: see `displacement`."""
+        """Stress at the depths, (6, len(depths), ny, nx) [Pa], at the cell centres; `later` as in `displacement`."""
         return self._engine.stress(number(later, "later"))
 
 
 class SteadyField:
-    """A flux that has always been there and moves along x -> displacement of the surface, temperature and stress.
+    """Steady thermal displacement, temperature and stress under a flux that has always moved along x or been at rest.
 
-    The surface is free of traction. There are no images of open axes, to some 1e-5 of the largest value. Of a flux that
-    moves the displacement counts from far away.
+    The surface is free of traction. Along open axes the error by periodic images is some 1e-5 of the largest value. The
+    displacement of a moving flux is relative to points far away.
     """
 
     def __init__(
@@ -252,19 +257,19 @@ class SteadyField:
         reference: float | None = None,
         depths: Sequence[float] = (),
     ):
-        """Plans the operator.
+        """Sets up the operators.
 
         Args:
-            grid: of flux and fields, open along x.
-            thermal: constants of the body.
-            material: of it only the elastic constants count.
-            velocity: of the flux over the body, along x [m/s].
-            reference: distance at which the surface counts as not displaced, of a flux at rest [m].
-            depths: of the layers with temperature and stress [m]; 0 is the surface.
+            grid: grid of flux and fields, open along x.
+            thermal: thermal constants of the body, with its expansion.
+            material: material of the body; only its elastic constants are used.
+            velocity: velocity of the flux over the body, along x [m/s].
+            reference: for a flux at rest: distance at which the displacement of the surface is set to zero [m].
+            depths: depths at which temperature and stress are computed [m]; 0 is the surface.
 
         Raises:
-            InputError: a depth below 0, a rigid body; a steady state that there is not, because heat piles up along a
-                periodic axis.
+            InputError: a negative depth, a rigid body, a steady state that does not exist because heat accumulates
+                along a periodic axis, or a grid that needs more memory than the machine has.
         """
         if material.is_rigid:
             raise InputError("a rigid body has no thermal stress; allowed: an elastic material")
@@ -285,25 +290,25 @@ class SteadyField:
         return f"<SteadyField {cells(self.grid.shape)}, {len(self.depths)} layers>"
 
     def displacement(self, flux: ArrayLike) -> Array:
-        """Displacement of the surface along z, into the body, so that heat makes it negative.
+        """Displacement of the surface along z, positive into the body, so thermal expansion gives negative values.
 
         Args:
-            flux: (ny, nx) into the body [W/m^2].
+            flux: (ny, nx) heat flux into the body [W/m^2].
 
         Returns:
-            (ny, nx) [m].
+            (ny, nx) displacement [m].
 
         Raises:
-            InputError: the flux is at rest, and there is no `reference`.
+            InputError: the flux is at rest, and no `reference` was given.
         """
         return self._engine.displacement(contiguous(flux, "flux"))
 
     def temperature(self, flux: ArrayLike) -> Array:
-        """Rise of the temperature at the depths under such a flux, (len(depths), ny, nx) [K]."""
+        """Temperature rise at the depths, (len(depths), ny, nx) [K]; flux: (ny, nx) into the body [W/m^2]."""
         return self._engine.temperature(contiguous(flux, "flux"))
 
     def stress(self, flux: ArrayLike) -> Array:
-        """Stress at the depths under such a flux, (6, len(depths), ny, nx) [Pa], in the middles of cells."""
+        """Stress at the depths, (6, len(depths), ny, nx) [Pa], at the cell centres; flux: (ny, nx) [W/m^2]."""
         return self._engine.stress(contiguous(flux, "flux"))
 
 

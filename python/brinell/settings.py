@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How a case is computed and what is stored: the tables `grid`, `solver` and `output` of the case file, as classes.
+"""Settings of a case as classes, one for each of the tables `grid`, `interface`, `thermal`, `solver`, `output`.
 
     run = brinell.Indentation(lower, upper, load=["10 N", 0], grid=brinell.Grid(resolution=12)).run()
 
-What is None is left to the case file's defaults, as docs/reference/case-file.md has them. A dictionary with the same
-keys does as well.
+A field that is None takes the default of the case file (docs/reference/case-file.md). A dictionary with the same keys
+can be used instead of an object.
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ class _Table:
     """A table of the case file: the fields of a dataclass that are not None."""
 
     def to_case(self) -> dict[str, Any]:
-        """As a dictionary."""
+        """The table as a dictionary."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
         return {name: value for name, value in values.items() if value is not None}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Grid(_Table):
-    """The cells.
+    """The grid. Lengths are in m, or text with a unit.
 
     Attributes:
-        spacing: their size [dx, dy, dz]: along the motion, across it, in depth; or
-        resolution: how many of them there are per contact radius along x.
-        extent: factor on the first extent of the grids, which grow where that is not enough.
-        boundary: what lies beyond the grids, "open" or "periodic", for both axes or as a pair; periodic along y alone,
-            with one row, is plane strain.
-        size: the period along each axis that is periodic.
-        cells: how many of them make it.
-        layer: thickness of their layers.
-        reference: with one periodic axis, the distance from a line load at which its displacement counts as zero.
+        spacing: cell size [dx, dy, dz]: along the motion, across it, in depth. It is an alternative to `resolution`.
+        resolution: number of cells per contact radius along x.
+        extent: factor on the initial extent of the grids, which grow where that is not enough.
+        boundary: "open" or "periodic", for both axes or as a pair; periodic along y alone, with one row of cells, is
+            plane strain.
+        size: period along each periodic axis.
+        cells: number of cells per period along each periodic axis.
+        layer: thickness of the layers of cells in depth.
+        reference: with exactly one periodic axis: distance from a line load at which its displacement is set to zero.
     """
 
     spacing: Sequence[Quantity] | None = None
@@ -57,14 +57,15 @@ class Grid(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Interface(_Table):
-    """What is between the surfaces where they slide on each other: in tugging, sliding, rolling with slip, fretting.
+    """Friction, frictional heat and wear of the interface, in tugging, sliding, rolling with slip and fretting.
 
     Attributes:
-        friction: shear over pressure.
-        shear_limit: largest shear that a surface can carry; the shear yield stress of the softer one if it is None.
-        coupling: whether the shear moves the gap where the two materials differ.
-        heat_fraction: share of the friction power that warms bodies with thermal constants.
-        wear: what the surfaces lose where they slip, `brinell.Wear` or a dictionary; in sliding, rolling and fretting.
+        friction: friction coefficient, shear over pressure [-].
+        shear_limit: largest shear that the interface can transmit [Pa]; None: the shear yield stress of the softer
+            body.
+        coupling: whether the shear changes the gap if the two materials differ.
+        heat_fraction: fraction of the friction power that heats bodies with thermal constants [-].
+        wear: wear of the surfaces where they slip, `brinell.Wear` or a dictionary; in sliding, rolling and fretting.
     """
 
     friction: float | None = None
@@ -76,12 +77,14 @@ class Interface(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Wear(_Table):
-    """How much both surfaces lose where they slip on each other.
+    """Wear of both surfaces where they slip.
 
     Attributes:
-        lower: depth that the lower surface loses per pressure and length slipped [1/Pa], or text, "1e-6 mm^3/(N m)".
-        upper: the same of the upper surface.
-        law: whether that goes with the pressure ("archard") or with the shear, as the friction work does ("energy").
+        lower: wear coefficient of the lower surface: depth per pressure and slip path [1/Pa], or text,
+            "1e-6 mm^3/(N m)".
+        upper: wear coefficient of the upper surface.
+        law: "archard": wear proportional to pressure times slip path; "energy": proportional to the friction work,
+            shear times slip path.
     """
 
     lower: Quantity | None = None
@@ -91,17 +94,19 @@ class Wear(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Heating(_Table):
-    """What the heat of friction does to bodies with thermal constants, in tugging, rolling and sliding.
+    """Effects of frictional heat on bodies with thermal constants, in tugging, rolling and sliding.
 
     Attributes:
-        partition: share of the lower body in it; both surfaces have one temperature where they touch if it is None.
-        conductance: of the contact [W/(m² K)]; if it is None nothing resists the heat, or with a partition none passes.
-        regime: all heat since the start, or that of a step as if it had always been there ("steady": of bodies that
-            yield with heat_of_plastic_work=0).
-        reference: distance at which a body that rests under a steady flux counts as not displaced [m].
-        heat_of_plastic_work: share of the plastic work that becomes heat where it is done; 0: none.
-        displacement: whether the surfaces swell into the gap.
-        stress: whether thermal stress counts when the material yields.
+        partition: fraction of the frictional heat that enters the lower body [-]; None: both surfaces have the same
+            temperature where they touch.
+        conductance: thermal conductance of the contact [W/(m² K)]. None: there is no thermal resistance or, if
+            `partition` is given, no exchange of heat between the bodies.
+        regime: "transient": all heat since the start counts; "steady": the heat flux of each step is taken to have
+            always acted (bodies that yield then need heat_of_plastic_work=0).
+        reference: distance at which the displacement of a body at rest under a steady flux is set to zero [m].
+        heat_of_plastic_work: fraction of the plastic work that becomes heat at the point where it is done [-]; 0: none.
+        displacement: whether thermal expansion of the surfaces changes the gap.
+        stress: whether the thermal stress contributes to yielding.
         at_melting: whether a run goes on or stops when a surface reaches the melting temperature of its softening.
     """
 
@@ -118,21 +123,23 @@ class Heating(_Table):
 @renamed(max_iterations="max_evaluations")
 @dataclass(frozen=True, kw_only=True)
 class Solver(_Table):
-    """When an increment counts as solved, and how it is.
+    """Tolerances and methods of the solver.
 
     Attributes:
-        accuracy: largest relative error of the key numbers that is accepted, 0.01 or "1 %": a series of runs.
-        yield_tolerance: largest violation of the yield condition, relative to the yield stress.
+        accuracy: largest accepted relative error of the key numbers, 0.01 or "1 %"; a series of runs with finer and
+            finer cells is then computed.
+        yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
         displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to the
-            approach at first yield.
-        contact_tolerance: largest gap under pressure, relative to the largest approach.
-        max_evaluations: of an increment before it is split.
-        anderson_depth: earlier iterates used to accelerate the iteration; 0: plain fixed point.
-        integration: of the plastic strain in a step.
-        mirror: whether bodies that are mirror images are solved once.
-        symmetry: whether one side of the plane y = 0 is solved where both are the same.
-        shortcuts: whether the stress is computed only in the layers near yield within an increment, and heat roughly.
-        windows: with shortcuts, whether only the columns near the contact are computed within an increment.
+            approach at first yield [-].
+        contact_tolerance: largest gap under pressure, relative to the largest approach [-].
+        max_evaluations: largest number of evaluations of an increment before it is split.
+        anderson_depth: number of earlier iterates in the Anderson acceleration; 0: plain fixed-point iteration.
+        integration: time integration of the plastic strain in a step, "path" or "backward_euler".
+        mirror: whether only one of two bodies that are mirror images is solved.
+        symmetry: whether only one side of the plane y = 0 is solved if the problem is symmetric to it.
+        shortcuts: whether, within an increment, the stress is computed only in the layers near yield and the heat only
+            approximately.
+        windows: with `shortcuts`, whether only the columns near the contact are computed within an increment.
     """
 
     accuracy: float | str | None = None
@@ -150,13 +157,13 @@ class Solver(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Output(_Table):
-    """What is stored.
+    """Storage of results.
 
     Attributes:
-        snapshots: steps whose fields are stored beside the final state: "none", "aligned", "all", "every 5", or their
-            numbers.
-        directory: folder of the results of the command line; `Case.run` is told its own.
-        checkpoint_interval: time after which the state is stored again while the run goes on [s].
+        snapshots: steps whose fields are stored in addition to the final state: "none", "aligned", "all", "every 5", or
+            a list of step numbers.
+        directory: folder of the results for the command line; `Case.run` has an argument of its own for it.
+        checkpoint_interval: time between two checkpoints of a run [s].
     """
 
     snapshots: str | Sequence[int] | None = None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A case that is computed step by step, with a look at every state on the way."""
+"""A case that is computed step by step, with access to every state."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ __all__ = ["Stepping"]
 
 
 class Stepping(Iterator[dict[str, float]]):
-    """A run whose steps the caller takes one by one. Nothing is written; results come as dictionaries and arrays.
+    """Iterator that solves one step of a run at a time and writes no files; results are dictionaries and arrays.
 
     for record in case.steps():
         print(record["step"], record["F_n"])
 
-    Made by `Case.steps`. The loop may be left and taken up again; Ctrl-C ends the run.
+    Made by `Case.steps`. The loop may be left and continued later; after Ctrl-C the run cannot be continued.
     """
 
     def __init__(self, case: Case):
-        """Plans the grids and places the bodies.
+        """Sets up the grids and positions the bodies.
 
         Args:
-            case: what is to be computed.
+            case: the case to compute.
 
         Raises:
             InputError: the grid does not fit this machine.
@@ -41,11 +41,12 @@ class Stepping(Iterator[dict[str, float]]):
         """Solves the next step.
 
         Returns:
-            Its row of the history, by the names of the columns (docs/reference/results-format.md), SI units.
+            The step's row of the history by column name (docs/reference/results-format.md), in SI units.
 
         Raises:
             ConvergenceError: the step did not converge.
-            GridError: a larger grid, which the step needs, does not fit into the memory.
+            GridError: the step needs a larger grid that does not fit into the memory.
+            KeyboardInterrupt: Ctrl-C was pressed; the run cannot be continued.
         """
         if self._core.is_done:
             raise StopIteration
@@ -61,31 +62,33 @@ class Stepping(Iterator[dict[str, float]]):
 
     @property
     def step_count(self) -> int:
-        """Of the whole run, an estimate."""
+        """Estimated number of steps of the whole run."""
         return self._core.step_count
 
     @property
     def is_done(self) -> bool:
-        """Whether all steps have been taken."""
+        """Whether all steps have been solved."""
         return self._core.is_done
 
     def fields(self) -> dict[str, Any]:
         """The state after the last step.
 
         Returns:
-            ``x``, ``y`` [m] from the contact's centre, ``pressure`` [Pa] and ``gap`` [m] of shape (y, x), where
-            surfaces slide or stick also ``shear_x``, ``shear_y`` [Pa], ``slip_x``, ``slip_y``, ``slip_path`` [m] and
-            ``friction_heat`` [J/m^2], as far as they exist, and a dictionary for each body, ``lower`` and ``upper``:
-            ``x``, ``y``, ``z`` [m] on the body, ``contact_x``, the contact's place there, ``residual_displacement`` [m]
-            of shape (y, x), into the body positive, where it wears ``worn_depth`` [m] likewise, where it has a texture
-            ``height`` [m] of the surface as it is, out of the body positive,
-            ``equivalent_plastic_strain`` (z, y, x), and ``plastic_strain`` and ``stress`` [Pa] of shape (6, z, y, x):
-            xx, yy, zz, yz, xz, xy. What a rigid body does not have is left out.
+            A dictionary. For the contact, arrays of shape (ny, nx): ``pressure`` [Pa], ``gap`` [m] and, with friction,
+            ``shear_x``, ``shear_y`` [Pa], ``slip_x``, ``slip_y``, ``slip_path`` [m] and ``friction_heat`` [J/m^2] as
+            far as the case has them; ``x`` and ``y`` [m] are the coordinates from the centre of contact.
+
+            ``lower`` and ``upper`` are dictionaries with the fields of each body: coordinates ``x``, ``y``, ``z`` on
+            the body [m], ``contact_x``, the position of the centre of contact on it [m], ``residual_displacement``
+            (ny, nx), positive into the body [m], ``worn_depth`` (ny, nx) [m] with wear, ``height`` (ny, nx) of the
+            present surface, positive out of the body [m], with a texture, ``equivalent_plastic_strain`` (nz, ny, nx)
+            [-], ``plastic_strain`` [-] and ``stress`` [Pa] of shape (6, nz, ny, nx) with the components xx, yy, zz, yz,
+            xz, xy. Fields that a rigid body does not have are missing.
         """
         return self._core.fields()
 
     def summary(self) -> dict[str, Any]:
-        """Of the steps so far, as in summary.json (docs/reference/results-format.md)."""
+        """Summary of the steps so far, with the keys of summary.json (docs/reference/results-format.md)."""
         summary: dict[str, Any] = json.loads(self._core.summary_text())
         return summary
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a result tells in its summary, whatever its scenario: the base of `Run` and of what only one scenario has."""
+"""Summary of a result, independent of the scenario: base class of `Run` and of the results of each scenario."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brinell.errors import InputError
 
-if TYPE_CHECKING:  # these modules know the scenarios, which know this one
+if TYPE_CHECKING:  # these modules import the scenarios, which import this module
     from brinell.results.history import History
     from brinell.results.result_file import MemoryFile
     from brinell.scenarios import Scenario
@@ -27,7 +27,7 @@ _T = TypeVar("_T")
 
 
 class RunError(InputError):
-    """A folder or file is not a readable result, or does not hold what was asked for; the text is one line."""
+    """A folder or file is not a readable result, or lacks the requested data; the text is one line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,35 +37,36 @@ class CriticalValues:
     C: float
     """Peak pressure over yield stress [-]."""
     interference: float
-    """alpha_c [m]."""
+    """Critical interference alpha_c [m]."""
     load: float
-    """P_c [N]."""
+    """Critical load P_c [N]."""
     energy: float
-    """U_c [J]."""
+    """Elastic energy U_c [J]."""
     contact_radius: float
-    """a_c, of cylinders the half-width [m]."""
+    """Contact radius a_c; for cylinders the half-width [m]."""
     contact_area: float
-    """A_c = pi a_c², of cylinders of the length L 2 a_c L [m²]."""
+    """Contact area A_c = pi a_c²; for cylinders of length L, 2 a_c L [m²]."""
     peak_pressure: float
-    """p0_c = C S_y [Pa]."""
+    """Peak pressure p0_c = C S_y [Pa]."""
 
     @property
     def yield_stress(self) -> float:
-        """S_y of the body that yields first [Pa]."""
+        """Yield stress S_y of the body that yields first [Pa]."""
         return self.peak_pressure / self.C
 
 
 @dataclass(frozen=True, eq=False)
 class RunSummary:
-    """Reads the summary of a run."""
+    """A run with its history, and access to the values of its summary."""
 
     path: Path
-    """The folder, or the file if that was opened alone; of a run in memory only a name."""
+    """Folder of the run, or its file if only that was opened; for a run in memory only a name."""
     history: History
+    """History of the run, one row per step."""
     summary: dict[str, Any] | None
-    """Key results and the case, docs/reference/results-format.md; None if the run has not finished."""
+    """Key results and the case (docs/reference/results-format.md); None if the run has not finished."""
     memory: MemoryFile | None = None
-    """Of a run in memory: what would be its file."""
+    """For a run in memory: the content of its result file."""
 
     @property
     def complete(self) -> bool:
@@ -74,11 +75,15 @@ class RunSummary:
 
     @property
     def scenario(self) -> Scenario:
-        """What was computed."""
+        """Name of the scenario."""
         return self.history.scenario
 
     def _value(self, *keys: str) -> Any:
-        """An entry of the summary."""
+        """Value of the summary at nested keys.
+
+        Raises:
+            RunError: the run has not finished, or there is no such entry.
+        """
         if self.summary is None:
             raise unfinished(self.path, self.history.steps)
         entry: Any = self.summary
@@ -95,9 +100,12 @@ class RunSummary:
         return float(value)
 
     def case(self, *keys: str) -> Any:
-        """A value of the case as computed, SI; None if it does not apply there.
+        """Value of the computed case in SI units; None if the case has no such key.
 
         `run.case("upper", "shape", "radius")` is upper.shape.radius of the case file.
+
+        Raises:
+            RunError: the run has not finished.
         """
         entry = self._value("case")
         for key in keys:
@@ -106,53 +114,61 @@ class RunSummary:
 
     @property
     def has_critical_values(self) -> bool:
-        """Whether there is a first yield in closed form: of round bodies, or cylinders in plane strain."""
+        """Whether first yield is known in closed form, as for spheres and cylinders in plane strain."""
         return self._value("critical", "load_N") is not None
 
     @cached_property
     def critical(self) -> CriticalValues:
-        """Values at first yield, the scales of dimensionless results."""
+        """Values at first yield, used as scales of dimensionless results.
+
+        Raises:
+            RunError: there are no critical values, or the run has not finished.
+        """
         if not self.has_critical_values:
             raise RunError(
                 f"{self.path}: no critical values to normalise with: both bodies are elastic, or they are neither "
                 "round nor cylinders in plane strain"
             )
         radius = self._number("critical", "contact_radius_m")
-        from_before_lines = "contact_area_m2" not in self._value("critical")  # then it is that of spheres
+        is_old = "contact_area_m2" not in self._value("critical")  # written before line contacts: always spheres
         return CriticalValues(
             C=self._number("critical", "C"),
             interference=self._number("critical", "interference_m"),
             load=self._number("critical", "load_N"),
             energy=self._number("critical", "energy_J"),
             contact_radius=radius,
-            contact_area=np.pi * radius**2 if from_before_lines else self._number("critical", "contact_area_m2"),
+            contact_area=np.pi * radius**2 if is_old else self._number("critical", "contact_area_m2"),
             peak_pressure=self._number("critical", "peak_pressure_Pa"),
         )
 
     @property
     def line_reference(self) -> float | None:
-        """Distance from which the approach of cylinders in plane strain counts [m]; None of other bodies."""
+        """Reference distance of the approach of cylinders in plane strain [m]; None for other bodies."""
         exists = self._value("critical").get("line_reference_m") is not None
         return self._number("critical", "line_reference_m") if exists else None
 
     @property
     def equivalent_radius(self) -> float:
-        """R = 1 / (1/R1 + 1/R2) of round bodies, or cylinders in plane strain [m]."""
+        """Equivalent radius R = 1 / (1/R1 + 1/R2) of spheres or cylinders in plane strain [m]."""
         return self._number("geometry", "equivalent_radius_m")
 
     def _value_of(self, scenario: Scenario, key: str) -> Any:
-        """An entry of the summary that only one scenario has."""
+        """Entry of the summary that is specific to one scenario.
+
+        Raises:
+            RunError: the run has another scenario.
+        """
         if self.scenario != scenario:
             place = self.path if self.memory is None else self.memory
             raise RunError(f"{place}: is of scenario {self.scenario!r}; only results of {scenario!r} have {key}")
         return self._value(key)
 
     def _entry_of(self, scenario: Scenario, key: str, kind: type[_T]) -> _T:
-        """The same as a dataclass."""
+        """Entry that is specific to one scenario, as a dataclass."""
         return _parsed(kind, self._value_of(scenario, key), self._place(key))
 
     def _entries_of(self, scenario: Scenario, key: str, kind: type[_T]) -> list[_T]:
-        """The same of a list of them."""
+        """List of entries that is specific to one scenario, as dataclasses."""
         value = self._value_of(scenario, key)
         if not isinstance(value, list):
             raise RunError(f"{self._place(key)} is not a list")
@@ -163,19 +179,19 @@ class RunSummary:
 
 
 def _parsed(kind: type[_T], entry: Any, where: str) -> _T:
-    """An object of summary.json as a dataclass.
+    """Converts an object of summary.json to a dataclass.
 
     Args:
-        kind: the class; its fields are of the kinds in `_READERS`, those with a default may be missing.
+        kind: the dataclass; the types of its fields are those in `_READERS`, and fields with a default may be missing.
         entry: the object; null stands for NaN.
-        where: file and key, for the message.
+        where: file and key, for error messages.
 
     Raises:
         RunError: a key is missing, or its value is not of the right kind.
     """
     values = {}
     for one in fields(kind):  # type: ignore[arg-type]
-        name = one.name.rstrip("_")  # of `pass_`, which is no name in Python
+        name = one.name.rstrip("_")  # `pass_` has an underscore because `pass` is a keyword
         if one.default is not MISSING and not any(name + unit in entry for unit in _UNITS):
             continue  # a result of an older version
         try:
@@ -187,7 +203,7 @@ def _parsed(kind: type[_T], entry: Any, where: str) -> _T:
 
 
 _UNITS = ("", "_m", "_m2", "_N", "_Nm", "_N_per_m", "_J", "_Pa", "_Pa_per_m")
-"""What keys of the summary end with."""
+"""Suffixes of keys in the summary, which give the unit."""
 
 _READERS: Mapping[str, Callable[[Any], Any]] = {
     "bool": bool,
@@ -198,12 +214,12 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
 
 
 def summary_place(path: Path) -> str:
-    """Of the summary of a folder, or of a file alone, in messages."""
+    """Location of the summary of a result folder or file, for messages."""
     return f"{path}: /summary" if path.is_file() else str(path / "summary.json")
 
 
 def unfinished(path: Path, steps: int) -> RunError:
-    """What a run without summary is refused with."""
+    """Error for a run without a summary."""
     return RunError(
         f"{path}: no {'/summary' if path.is_file() else 'summary.json'}, the run has not finished ({steps} steps); "
         "allow_unfinished=True opens it as far as it is"

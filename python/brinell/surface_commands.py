@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from brinell import _core, surfaces
-from brinell.commands import tells_errors, tells_warnings
+from brinell.commands import reports_errors, reports_warnings
 from brinell.errors import InputError
 from brinell.surfaces import HeightMap
 from brinell.surfaces.files import TEXT
@@ -107,7 +107,7 @@ def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fil
     if not file.is_file():
         raise InputError(f"{file}: no such file")
     try:
-        with tells_warnings(file, _in_options):
+        with reports_warnings(file, _in_options):
             heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)
             return heightmap.levelled() if level else heightmap
     except ImportError as error:  # which tells what to install
@@ -144,7 +144,7 @@ def surface() -> None:
 @click.option(
     "--seed", type=click.IntRange(0, 2**63 - 1), default=0, show_default=True, help="Another one: another surface."
 )
-@tells_errors
+@reports_errors
 def _make(
     out: Path,
     size: tuple[float, float],
@@ -160,7 +160,7 @@ def _make(
 
     A texture of type "random" in a case is this surface without a file.
     """
-    with tells_warnings(out):
+    with reports_warnings(out):
         made = surfaces.random(
             size,
             cells,
@@ -182,7 +182,7 @@ def _make(
 @click.option(
     "--figure", type=click.Path(path_type=Path), metavar="PICTURE", help="Draw it as well: .png, .pdf or .svg."
 )
-@tells_errors
+@reports_errors
 def _show(
     file: Path,
     spacing: tuple[float, float] | None,
@@ -212,7 +212,7 @@ def _show(
 @click.argument("file", type=click.Path(path_type=Path), metavar="IN")
 @click.argument("out", type=click.Path(path_type=Path), metavar="OUT")
 @_reading
-@tells_errors
+@reports_errors
 def _convert(
     file: Path,
     out: Path,

@@ -17,7 +17,7 @@ import pytest
 
 import brinell
 import brinell.asperities
-from brinell._arguments import tell_of_arguments
+from brinell._arguments import explain_argument_errors
 
 STEEL = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"))
 BALL = brinell.Body(brinell.Sphere("10 um"), STEEL)
@@ -108,7 +108,7 @@ def test_errors_from_inside_are_left_alone() -> None:
 
     module = ModuleType("module")
     module.__dict__.update(Picky=Picky, __all__=["Picky"])
-    tell_of_arguments(module)
+    explain_argument_errors(module)
     with pytest.raises(TypeError, match="from inside") as raised:
         Picky(1)
     assert not isinstance(raised.value, brinell.ArgumentError)

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""From one pair of asperities to two rough surfaces: statistical sums of tuggings.
+"""Sliding of two rough surfaces as a statistical sum over pairs of passing asperities.
 
     passes = brinell.asperities.AsperityMap.compute(steel, output="results/passes")
     rough = brinell.asperities.Population.from_surface(brinell.surfaces.read("surface.xyz").levelled())
     there = brinell.asperities.statistical_sum(passes, rough, rough, separation=2e-6)
     print(there.pressure, there.friction_coefficient)
 
-Modules: `moments` and `population` (the asperities of a surface), `pairs` (two of them), `nodes` and `tugging_map`
-(what their pass comes to), `crossings` (with any offset), `sums` (all of them), `encounters` (one by one), `resting`
-(asperities under a flat that rests on them).
+Modules: `moments` and `population` (asperities of a surface), `pairs` (geometry and units of a pair), `nodes` and
+`tugging_map` (results of a pass), `crossings` (integrals over the offset), `sums` (statistical sums), `encounters`
+(individual passes), `resting` (asperities under a flat).
 """
 
 import sys
 
-from brinell._arguments import tell_of_arguments
+from brinell._arguments import explain_argument_errors
 from brinell.errors import MissingExtraError
 
 try:
@@ -46,4 +46,4 @@ __all__ = [
     "resting_sum",
     "statistical_sum",
 ]
-tell_of_arguments(sys.modules[__name__])
+explain_argument_errors(sys.modules[__name__])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Integrals of a map over the offset: all the ways in which two given asperities pass each other.
+"""Integrals of a map over the offset between two passing asperities.
 
-Asperities of one surface that lie anywhere are met by one of the other with offsets that are evenly distributed. What
-counts of a pair therefore is J = integral of the quantity over the offset y. In units of the pair (`pairs`) it is a
-function of alpha/alpha_c and of the ratio of the radii again, of the power of the quantity and a half: a table.
+If asperities are distributed at random, the offset y between two asperities that meet is uniformly distributed. A pair
+therefore contributes J = integral of the quantity over y. In units of the pair (`pairs`), J is again a function of
+alpha/alpha_c and of the ratio of the radii, which grows about as (alpha/alpha_c)^(power + 1/2); it is tabulated.
 """
 
 from __future__ import annotations
@@ -21,18 +21,19 @@ __all__ = ["ADDED", "Crossing", "CrossingTable"]
 FloatArray = NDArray[np.float64]
 
 ADDED = tuple(name for name, quantity in QUANTITIES.items() if quantity.adds_up)
-"""Quantities that are summed."""
+"""Names of the quantities that can be summed over encounters."""
 _SQUARES = (("work", "work"), ("normal", "normal"), ("work", "normal"))
-"""Products that the scatter of a finite track needs."""
+"""Products of quantities whose integrals are needed for the scatter of a finite sliding distance."""
 _BEYOND = 100.0
-"""Up to how many times the last interference of the map a table goes, and then stays: there the map only guesses."""
+"""Largest interference of the table over that of the map; between both the map is extrapolated, beyond it the scaled
+values are constant."""
 _POINTS = 400
 _GAUSS = 48
 
 
 @dataclass(frozen=True)
 class Crossing:
-    """Integrals over the offset, in SI, for pairs; `square` for a product of two quantities."""
+    """Integral of a quantity over the offset for each pair, and its mesh and interpolation errors, in SI units."""
 
     value: FloatArray
     mesh: FloatArray
@@ -40,10 +41,14 @@ class Crossing:
 
 
 class CrossingTable:
-    """The integrals of one map over its interferences, at each of its ratios."""
+    """Table of the integrals of a map over the interference, at each of its ratios of radii."""
 
     def __init__(self, of: AsperityMap):
-        """Tabulates them."""
+        """Computes the table.
+
+        Args:
+            of: the map.
+        """
         self._map = of
         low, high = of.interferences[0], of.interferences[-1]
         self._log = np.linspace(np.log(low), np.log(_BEYOND * high), _POINTS)
@@ -51,7 +56,14 @@ class CrossingTable:
         self._values = {key: np.stack([part[key] for part in parts]) for key in parts[0]}
 
     def of_pairs(self, quantity: str, interference: FloatArray, lower: FloatArray, upper: FloatArray) -> Crossing:
-        """Of pairs with that interference in height [m] and those radii [m]; 0 where they do not touch."""
+        """Integrals of a quantity for pairs, zero where they do not touch.
+
+        Args:
+            quantity: name of the quantity.
+            interference: interference in height of each pair [m].
+            lower: radius of each lower asperity [m].
+            upper: radius of each upper asperity [m].
+        """
         unit, power, a, ratio = self._scales(quantity, interference, lower, upper)
         scale = unit * np.maximum(a, 0.0) ** (power + 0.5)
         value, mesh, between = (
@@ -62,7 +74,7 @@ class CrossingTable:
     def of_products(
         self, product: tuple[str, str], interference: FloatArray, lower: FloatArray, upper: FloatArray
     ) -> FloatArray:
-        """Integrals of the product of two quantities of a pass."""
+        """Integrals of the product of two quantities of a pass; the other arguments are those of `of_pairs`."""
         unit, power, a, ratio = self._scales(product[0], interference, lower, upper)
         other = QUANTITIES[product[1]]
         scale = unit * other.unit(self._map.pair, lower, upper) * np.maximum(a, 0.0) ** (power + other.power + 0.5)
@@ -78,17 +90,19 @@ class CrossingTable:
         return quantity.unit(pair, lower, upper) * length, quantity.power, a, lower / upper
 
     def _read(self, rows: FloatArray, a: FloatArray, ratio: FloatArray) -> FloatArray:
-        x = np.log(np.maximum(a, np.exp(self._log[0])))  # of elastic pairs all are the same
+        x = np.log(
+            np.maximum(a, np.exp(self._log[0]))
+        )  # below the table the pairs are elastic, and the scaled value is constant
         return self._map.between_ratios([np.interp(x, self._log, row) for row in rows], ratio)
 
     def _at_ratio(self, ratio: float) -> dict[tuple[str, str], FloatArray]:
-        """Over (alpha/alpha_c)^(power + 1/2)."""
+        """Tabulated integrals at one ratio of radii, divided by (alpha/alpha_c)^(power + 1/2)."""
         alpha_c = self._map.pair.interference  # of an equivalent radius of 1
         lower, upper = 1.0 + ratio, (1.0 + ratio) / ratio
         total = lower + upper
         a = np.exp(self._log)
         t, weight = np.polynomial.legendre.leggauss(_GAUSS)
-        t = 0.5 * (t + 1.0)  # one half, which counts twice: the weights stay
+        t = 0.5 * (t + 1.0)  # half of the symmetric interval, counted twice: the weights are unchanged
         widest = reach(a * alpha_c, total)
         left, tilt = closest((a * alpha_c)[:, None], widest[:, None] * t, total)
         over_y = widest[:, None] * weight / np.sqrt(2.0 * total * alpha_c)

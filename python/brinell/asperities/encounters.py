@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Asperities that lie somewhere, and meet one by one: what sums are checked against, and what one experiment shows."""
+"""Randomly placed asperities that meet one by one, as a check of the sums and a model of one experiment."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Encounters:
-    """Passes of two asperities each, one entry per pass.
+    """Passes of two asperities each, with one array entry per pass.
 
     Attributes:
-        lower: number of the asperity in its population.
-        upper: the same of the upper surface.
-        interference: overlap of their tops in height [m].
-        offset: of the upper centre from the lower one across the motion [m].
-        lower_radius: [m].
-        upper_radius: [m].
-        area: nominal [m^2].
-        way: slid [m].
+        lower: index of the lower asperity in its population.
+        upper: index of the upper asperity in its population.
+        interference: overlap of the tops in height [m].
+        offset: distance of the upper centre from the lower one across the motion [m].
+        lower_radius: radius of the lower asperity [m].
+        upper_radius: radius of the upper asperity [m].
+        area: nominal area [m^2].
+        way: sliding distance [m].
     """
 
     lower: NDArray[np.int64]
@@ -50,16 +50,19 @@ class Encounters:
 
 
 def encounters(lower: Population, upper: Population, separation: float, *, seed: int = 0) -> Encounters:
-    """All asperities of two populations are laid on a square by chance, and the upper one is slid by its side.
+    """Places all asperities of two populations at random on a periodic square and slides the upper one by its side.
 
-    The square repeats, and is as large as the density of the lower surface says; that of the upper one has to say the
-    same. Every pair passes once, with some offset; those that touch are returned.
+    The area of the square follows from the number and density of the asperities, which must give the same area for both
+    surfaces. Every pair passes once with some offset; the pairs that touch are returned.
 
     Args:
         lower: asperities of the lower surface.
-        upper: of the upper one.
-        separation: of the reference planes [m].
-        seed: of the places.
+        upper: asperities of the upper surface.
+        separation: distance of the reference planes [m].
+        seed: seed of the random positions.
+
+    Raises:
+        InputError: the populations are not samples of the same area.
     """
     number(separation, "separation")
     side = math.sqrt(lower.count / lower.density)

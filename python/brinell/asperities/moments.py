@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spectral moments of a rough surface, and what Nayak and McCool say of its summits."""
+"""Spectral moments of a rough surface, and properties of its summits by Nayak and McCool."""
 
 from __future__ import annotations
 
@@ -24,8 +24,11 @@ class SpectralMoments:
 
     Attributes:
         m0: mean square height [m^2].
-        m2: mean square slope of a profile [-]; half of that of the gradient.
+        m2: mean square slope of a profile, half the mean square of the gradient [-].
         m4: mean square curvature of a profile [1/m^2].
+
+    Raises:
+        InputError: a moment is not above 0, or m0 m4/m2^2 is below 1.5.
     """
 
     m0: float
@@ -39,10 +42,13 @@ class SpectralMoments:
 
     @classmethod
     def of(cls, surface: HeightMap) -> SpectralMoments:
-        """Those of a map, the mean over profiles along x and along y.
+        """Moments of a height map, averaged over profiles along x and y.
 
-        Of a periodic map by its Fourier series; otherwise by differences of neighbours, which lack what is shorter
-        than a few points. Level a measured map before.
+        For a periodic map the Fourier series is used, otherwise differences of neighbours, which underestimate
+        wavelengths of a few points. Level a measured map first.
+
+        Raises:
+            InputError: the map has fewer than 4 points along an axis.
         """
         if min(surface.heights.shape) < 4:
             raise InputError(f"a map of {surface.heights.shape} points; allowed: 4 or more along x and y")
@@ -51,17 +57,17 @@ class SpectralMoments:
 
     @property
     def bandwidth(self) -> float:
-        """m0 m4/m2^2, Nayak's alpha [-]: 1.5 of one wavelength, large of many."""
+        """Bandwidth parameter m0 m4/m2^2, Nayak's alpha [-]: 1.5 for one wavelength, large for many."""
         return self.m0 * self.m4 / self.m2**2
 
     @property
     def summit_density(self) -> float:
-        """m4/(6 pi sqrt(3) m2) [1/m^2] (Nayak 1971)."""
+        """Density of summits, m4/(6 pi sqrt(3) m2) [1/m^2] (Nayak 1971)."""
         return self.m4 / (6.0 * math.pi * math.sqrt(3.0) * self.m2)
 
     @property
     def summit_radius(self) -> float:
-        """3 sqrt(pi/m4)/8 [m], the inverse of the mean curvature of summits (McCool 1986)."""
+        """Radius of summits, the inverse of their mean curvature, 3 sqrt(pi/m4)/8 [m] (McCool 1986)."""
         return 0.375 * math.sqrt(math.pi / self.m4)
 
     @property
@@ -76,7 +82,7 @@ class SpectralMoments:
 
 
 def _by_waves(surface: HeightMap) -> tuple[list[float], list[float]]:
-    """Mean squares of first and second derivatives along x and y."""
+    """Mean squares of first and second derivatives along x and y, by the Fourier series of a periodic map."""
     power = np.abs(np.fft.fft2(surface.heights)) ** 2 / surface.heights.size**2
     power[0, 0] = 0.0
     ny, nx = surface.heights.shape

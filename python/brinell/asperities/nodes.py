@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The nodes of a map: a sweep of tuggings, and what its runs come to."""
+"""Computation of the nodes of a map by a sweep of tugging runs."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ FloatArray = NDArray[np.float64]
 _RADIUS = 1e-5
 """Equivalent radius of the runs [m]; the results are independent of it."""
 _ORDER = 1.5
-"""By which errors fall at least with the size of the cells: the lowest one of docs/verification.md."""
+"""Lower bound of the order of convergence with the cell size: the lowest order in docs/verification.md."""
 
 
 def of_run(run: Run) -> dict[str, float]:
-    """What a tugging of one pass comes to, by the names of `QUANTITIES`, in SI."""
+    """Results of a tugging run of one pass by the names of `QUANTITIES`, in SI units."""
     history = run.history
     X = history["X"]
     last = {name: float(history[name][-1]) for name in ("work", "energy_residual")}
@@ -53,12 +53,12 @@ def of_run(run: Run) -> dict[str, float]:
 
 
 def _integral(values: FloatArray, x: FloatArray) -> float:
-    """By the trapezoidal rule, as the work in the history."""
+    """Integral by the trapezoidal rule, which the engine also uses for the work in the history."""
     return float((0.5 * (values[1:] + values[:-1]) * np.diff(x)).sum())
 
 
 def _volume(body: Any) -> float:
-    """Between the first surface and what is below it now [m^3]."""
+    """Volume of the dent below the original surface [m^3]."""
     if body.is_rigid:
         return 0.0
     cell = abs((body.x[1] - body.x[0]) * (body.y[1] - body.y[0]))
@@ -75,7 +75,12 @@ def computed_nodes(
     output: str | Path | None,
     options: Mapping[str, Any],
 ) -> tuple[str, UnitRadius, FloatArray, FloatArray, dict[str, FloatArray], dict[str, FloatArray], tuple[float, float]]:
-    """All that a map is made of."""
+    """Computes the nodes; returns the fields of `AsperityMap` in their order.
+
+    Raises:
+        InputError: resolutions, interferences or materials are not suitable.
+        BrinellError: a run has failed.
+    """
     coarse, fine = (float(one) for one in resolutions)
     if not 0.0 < coarse < fine:
         raise InputError(f"resolutions = {resolutions}; allowed: two numbers > 0, the finer mesh second")
@@ -107,7 +112,7 @@ def computed_nodes(
 
 
 def _radii(ratio: float) -> tuple[float, float]:
-    """Of a pair with that ratio and the equivalent radius of the runs [m]."""
+    """Radii of a pair with the ratio R1/R2 and the equivalent radius of the runs [m]."""
     lower = _RADIUS * (1.0 + float(ratio))
     return lower, lower / float(ratio)
 
@@ -129,7 +134,7 @@ def _case(
 
 
 def _require_no_length(material: Material) -> None:
-    """What changes over a length in m does so differently for asperities of another size."""
+    """Refuses materials with profiles over depth, whose results could not be scaled to asperities of other sizes."""
     for name in ("yield_profile", "initial_stress"):
         if getattr(material, name) is not None:
             raise InputError(f"{name} of a material is over a depth in m, and a map is for asperities of all sizes")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two spheres that pass each other: their geometry, and the units in which what happens between them has no size.
+"""Geometry of two passing spheres, and the units in which the results do not depend on their size.
 
-Without a length of its own in the material the solution depends on shapes alone: with the critical values of the pair
-as units it is a function of the interference alpha/alpha_c and of the ratio of the radii, whatever their size.
+If the material has no length scale, the results in units of the critical values of the pair depend only on the
+interference alpha/alpha_c and on the ratio of the radii.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ FloatArray = NDArray[np.float64]
 
 
 def closest(interference: ArrayLike, offset: ArrayLike, radius_sum: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """What an offset leaves of the interference, and how it tilts the line of centres.
+    """Largest interference along the line of centres of a pass with an offset, and the tilt of that line.
 
-    S - hypot(S - alpha, y) and atan(y/(S - alpha)) with S = R1 + R2; exact for spheres.
+    They are S - hypot(S - alpha, y) and atan(y/(S - alpha)) with S = R1 + R2, exact for spheres.
 
     Args:
-        interference: overlap of the tops in height [m].
-        offset: of the centres across the motion [m].
-        radius_sum: R1 + R2 [m].
+        interference: overlap alpha of the tops in height [m].
+        offset: distance y of the centres across the motion [m].
+        radius_sum: S = R1 + R2 [m].
 
     Returns:
         Interference along the line of centres [m], not above 0 where the spheres never touch; tilt [rad].
@@ -33,7 +33,7 @@ def closest(interference: ArrayLike, offset: ArrayLike, radius_sum: ArrayLike) -
     alpha, y, total = np.broadcast_arrays(
         *(np.asarray(value, dtype=np.float64) for value in (interference, offset, radius_sum))
     )
-    # Without the difference of two large numbers.
+    # This form avoids the difference of two large numbers.
     left = (alpha * (2.0 * total - alpha) - y**2) / (total + np.hypot(total - alpha, y))
     return left, np.arctan2(y, total - alpha)
 
@@ -46,7 +46,7 @@ def reach(interference: ArrayLike, radius_sum: ArrayLike) -> FloatArray:
 
 @dataclass(frozen=True)
 class UnitRadius:
-    """First yield of a material pair, of an equivalent radius R = 1/(1/R1 + 1/R2) of 1 m; a function of the pair alone.
+    """Critical values of a material pair, scaled by powers of the equivalent radius R = 1/(1/R1 + 1/R2).
 
     Attributes:
         interference: alpha_c/R [-].
@@ -63,23 +63,27 @@ class UnitRadius:
 
 @dataclass(frozen=True)
 class Quantity:
-    """What one pass of two asperities comes to.
+    """A result of one pass of two asperities, with its natural unit.
 
-    Its unit is P_c^i alpha_c^j a_c^k L^l with L = sqrt(2 (R1 + R2) alpha_c): half of the way over which two spheres
-    with that interference touch. In these units elastic spheres have a constant times (alpha/alpha_c)^power.
+    The natural unit is P_c^i alpha_c^j a_c^k L^l with L = sqrt(2 (R1 + R2) alpha_c), half the sliding distance in
+    contact of two spheres with the interference alpha_c. In this unit the result of elastic spheres is a constant times
+    (alpha/alpha_c)^power.
     """
 
     name: str
     si: str
-    """Unit in SI."""
+    """SI unit."""
     power: float
+    """Exponent of alpha/alpha_c for elastic spheres [-]."""
     units: tuple[int, int, int, int]
+    """Exponents (i, j, k, l) of the natural unit."""
     text: str
+    """Description."""
     adds_up: bool = True
-    """Whether a sum over encounters means something; not of peaks."""
+    """Whether a sum over encounters is meaningful; peak values cannot be summed."""
 
     def unit(self, pair: UnitRadius, lower: ArrayLike, upper: ArrayLike) -> FloatArray:
-        """Of two radii [m], in SI."""
+        """Natural unit in SI units, for the radii `lower` and `upper` [m]."""
         R1, R2 = np.asarray(lower, dtype=np.float64), np.asarray(upper, dtype=np.float64)
         R = R1 * R2 / (R1 + R2)
         alpha = pair.interference * R
@@ -108,4 +112,4 @@ QUANTITIES = {
         Quantity("peak_F_Z", "N", 1.5, (1, 0, 0, 0), "largest F_Z", adds_up=False),
     )
 }
-"""By name."""
+"""Quantities by name."""

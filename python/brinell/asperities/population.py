@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The asperities of one surface: how many, how high, how round."""
+"""The asperities of one surface: density, heights and radii."""
 
 from __future__ import annotations
 
@@ -19,22 +19,25 @@ FloatArray = NDArray[np.float64]
 
 _NEIGHBOURS = [(j, i) for j in (-1, 0, 1) for i in (-1, 0, 1) if (j, i) != (0, 0)]
 _DEVIATIONS = 6.0
-"""Up to which a Gaussian distribution is followed; its last 1e-9 are left out."""
+"""Range of a Gaussian distribution in standard deviations; a probability of some 1e-9 is neglected."""
 _NODES = 241
-"""Heights that stand for a Gaussian distribution."""
+"""Number of heights that represent a Gaussian distribution."""
 
 
 @dataclass(frozen=True, eq=False)
 class Population:
-    """Asperities of one surface, spheres near their tops.
+    """Asperities of one surface, with spherical tops.
 
     Attributes:
-        heights: of the tops above the surface's reference plane, out of the body [m].
-        radii: of the tops [m], one for each.
-        density: asperities per nominal area [1/m^2].
-        weights: share of each in the population; None: all the same.
-        is_sample: whether these asperities are a sample of more like them (measured ones): then sums over them have an
-            error of sampling. Those of a distribution are none.
+        heights: (count,) heights of the tops above the reference plane of the surface, positive out of the body [m].
+        radii: (count,) radii of curvature of the tops [m].
+        density: number of asperities per nominal area [1/m^2].
+        weights: (count,) share of each asperity in the population; None: equal shares.
+        is_sample: whether the asperities are a (measured) sample, so that sums have a sampling error; False for the
+            heights of a distribution.
+
+    Raises:
+        InputError: there are no heights, or a radius, the density or a weight is out of range.
     """
 
     heights: FloatArray
@@ -62,24 +65,24 @@ class Population:
 
     @classmethod
     def of(cls, heights: ArrayLike, radius: ArrayLike, density: float) -> Population:
-        """Given asperities.
+        """Population of given asperities.
 
         Args:
-            heights: of the tops above the reference plane [m].
-            radius: of the tops [m]; one for all, or one for each.
-            density: per nominal area [1/m^2].
+            heights: heights of the tops above the reference plane [m].
+            radius: radius of the tops, one for all or one for each [m].
+            density: number of asperities per nominal area [1/m^2].
         """
         return cls(np.atleast_1d(contiguous(heights, "heights")), contiguous(radius, "radius"), density)
 
     @classmethod
     def gaussian(cls, mean: float, rms: float, radius: float, density: float) -> Population:
-        """Heights of a Gaussian distribution, one radius (Greenwood and Williamson 1966).
+        """Population with Gaussian heights and a single radius (Greenwood and Williamson 1966).
 
         Args:
-            mean: of the heights [m].
-            rms: their standard deviation [m].
-            radius: of all tops [m].
-            density: per nominal area [1/m^2].
+            mean: mean height [m].
+            rms: standard deviation of the heights [m].
+            radius: radius of all tops [m].
+            density: number of asperities per nominal area [1/m^2].
         """
         require_positive(rms=rms)
         t = np.linspace(-_DEVIATIONS, _DEVIATIONS, _NODES)
@@ -89,16 +92,19 @@ class Population:
     def from_moments(cls, moments: SpectralMoments) -> Population:
         """Summits of an isotropic, Gaussian surface: Nayak's density, one radius, Gaussian heights (McCool 1986).
 
-        Heights count from the mean plane of the surface.
+        Heights are measured from the mean plane of the surface.
         """
         return cls.gaussian(moments.summit_mean, moments.summit_rms, moments.summit_radius, moments.summit_density)
 
     @classmethod
     def from_surface(cls, surface: HeightMap) -> Population:
-        """Summits of a map: points above their eight neighbours, with the curvature that fits these best.
+        """Summits of a height map: points above their eight neighbours, with the curvature of a least-squares fit.
 
-        Heights count from the mean of the map; level a measured one before. What counts as a summit depends on the
+        Heights are measured from the mean of the map; level a measured map first. The number of summits depends on the
         distance of the points: docs/howto/asperities.md.
+
+        Raises:
+            InputError: the map has fewer than 3 points along an axis, or no summit.
         """
         h = surface.heights - surface.heights.mean()
         if min(h.shape) < 3:
@@ -108,7 +114,7 @@ class Population:
         numerator, denominator = np.zeros(h.shape), 0.0
         for j, i in _NEIGHBOURS:
             drop = h - np.roll(h, (-j, -i), (0, 1))
-            top &= drop > 0 if (j, i) > (0, 0) else drop >= 0  # of a flat top one point counts
+            top &= drop > 0 if (j, i) > (0, 0) else drop >= 0  # only one point of a flat top is counted
             square = (i * dx) ** 2 + (j * dy) ** 2
             numerator += square * drop
             denominator += square**2
@@ -124,12 +130,12 @@ class Population:
 
     @property
     def count(self) -> int:
-        """Of asperities, or of heights that stand for a distribution."""
+        """Number of asperities, or of heights that represent a distribution."""
         return self.heights.size
 
     @property
     def mean_height(self) -> float:
-        """Of the tops [m]."""
+        """Mean height of the tops [m]."""
         return float(self.shares @ self.heights)
 
     @property
@@ -139,30 +145,38 @@ class Population:
 
     @property
     def mean_radius(self) -> float:
-        """Inverse of the mean curvature [m]."""
+        """Inverse of the mean curvature of the tops [m]."""
         return float(1.0 / (self.shares @ (1.0 / self.radii)))
 
     @property
     def shares(self) -> FloatArray:
-        """The weights, which sum up to 1."""
+        """(count,) weights, normalised to a sum of 1."""
         assert self.weights is not None  # since __post_init__
         return self.weights
 
     def with_radius(self, radius: float | None = None) -> Population:
-        """All tops of one radius [m]; None: their mean curvature's."""
+        """Population in which all tops have the same radius [m]; None: `mean_radius`."""
         require_positive(radius=self.mean_radius if radius is None else radius)
         return replace(self, radii=np.full(self.count, self.mean_radius if radius is None else float(radius)))
 
     def drawn(self, count: int, seed: int = 0) -> Population:
-        """A sample of that many asperities, drawn at random."""
+        """Random sample of the population.
+
+        Args:
+            count: number of asperities.
+            seed: seed of the random numbers.
+
+        Raises:
+            InputError: the count is below 1.
+        """
         if count < 1:
             raise InputError(f"count = {count}; allowed: 1 or more")
         chosen = np.random.default_rng(seed).choice(self.count, count, p=self.shares)
         return Population(self.heights[chosen], self.radii[chosen], self.density)
 
     def __repr__(self) -> str:
-        what = "asperities" if self.is_sample else "heights of a distribution"
+        kind = "asperities" if self.is_sample else "heights of a distribution"
         return (
-            f"<Population {self.count} {what}, {self.density:.4g} per m2, heights {self.mean_height:.4g} +- "
+            f"<Population {self.count} {kind}, {self.density:.4g} per m2, heights {self.mean_height:.4g} +- "
             f"{self.rms_height:.4g} m, radius {self.mean_radius:.4g} m>"
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Asperities that a flat presses on: the sum of Greenwood and Williamson (1966), over any population."""
+"""Elastic asperities under a flat: the sum of Greenwood and Williamson (1966) for any population."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class RestingSum:
-    """What a flat meets that rests on a rough surface.
+    """Contact of a flat that rests on a rough surface.
 
     Attributes:
-        separation: of the flat from the reference plane of the heights [m].
+        separation: distance of the flat from the reference plane of the heights [m].
         pressure: force per nominal area [Pa].
-        contact_fraction: real contact area over the nominal one [-].
-        contacts: asperities that touch per area [1/m^2].
+        contact_fraction: real over nominal contact area [-].
+        contacts: number of asperities in contact per area [1/m^2].
     """
 
     separation: float
@@ -43,15 +43,15 @@ def resting_sum(
     samples: int = 400,
     seed: int = 0,
 ) -> RestingSum:
-    """Elastic asperities under a flat, each by Hertz: n <4/3 E' R^(1/2) d^(3/2)> and n <pi R d>, d = z - separation.
+    """Sums Hertz contacts of asperities under a flat: n <4/3 E' R^(1/2) d^(3/2)> and n <pi R d>, d = z - separation.
 
     Args:
         population: the asperities.
-        separation: of the flat from the reference plane of the heights [m].
-        contact_modulus: E' of asperities and flat [Pa].
-        confidence: of the intervals.
-        samples: drawings of the bootstrap, as of `statistical_sum`.
-        seed: of these.
+        separation: distance of the flat from the reference plane of the heights [m].
+        contact_modulus: contact modulus E' of asperities and flat [Pa].
+        confidence: confidence level of the intervals.
+        samples: number of bootstrap samples, as in `statistical_sum`.
+        seed: seed of the bootstrap.
     """
     require_positive(contact_modulus=contact_modulus)
     depth = np.maximum(0.0, population.heights - number(separation, "separation"))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""From one pair of asperities to two rough surfaces that slide: expected forces, losses and contact.
+"""Expected forces, losses and contact area of two sliding rough surfaces, from the passes of pairs of asperities.
 
-Per nominal area, n1 asperities of the lower surface meet n2 of the upper one, which come along with any offset alike. A
-pair contributes to a mean over the way what it comes to in one pass, so that a quantity with the integral I over a pass
-has the mean n1 n2 <integral of I over the offset> (docs/theory/asperities.md).
+The surfaces have n1 and n2 asperities per nominal area, and all offsets between two asperities are equally likely. A
+quantity with the integral I over one pass therefore has the mean n1 n2 <integral of I over the offset>
+(docs/theory/asperities.md).
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ _MOST_BEYOND = 0.5
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number and how well it is known.
+    """A number with its uncertainty, all in the SI unit of the number.
 
     Attributes:
-        value: in SI.
-        sampling: half the interval that comes from which asperities have been measured (bootstrap), or have met.
-        mesh: how far it may be off because of the cells of the map's runs.
-        interpolation: because of the distance of the map's nodes.
+        value: the estimate.
+        sampling: half-width of the interval from the finite sample of asperities (bootstrap) or of encounters.
+        mesh: discretisation error from the cells of the map's runs.
+        interpolation: interpolation error from the distance of the map's nodes.
     """
 
     value: float
@@ -48,7 +48,7 @@ class Estimate:
 
     @property
     def half_width(self) -> float:
-        """Of the interval: errors of the map are systematic and added up, that of sampling is independent of them."""
+        """Half-width of the interval: the sum of the map's errors, combined with the independent sampling error."""
         return math.hypot(self.sampling, self.mesh + self.interpolation)
 
     @property
@@ -58,7 +58,7 @@ class Estimate:
 
     @property
     def high(self) -> float:
-        """Its upper end."""
+        """Upper end of the interval."""
         return self.value + self.half_width
 
     def __str__(self) -> str:
@@ -70,19 +70,19 @@ class AsperitySum:
     """Expected values for two rough surfaces that slide at a constant separation.
 
     Attributes:
-        separation: of the two reference planes [m].
+        separation: distance of the two reference planes [m].
         pressure: normal force per nominal area [Pa].
-        shear: force of resistance per nominal area, which is the work per area and way [Pa].
-        friction_coefficient: the one over the other [-].
-        dissipation: plastic work, and heat of friction, per area and way [J/m^3].
-        contact_fraction: real contact area over the nominal one [-].
-        dent_lower: volume of new dents in the lower surface per area and way [-].
-        dent_upper: the same of the upper surface.
-        contacts: pairs that touch at a time, per area [1/m^2].
-        encounters: passes that begin, per area and way [1/m^3].
-        largest_interference: of a pair, over alpha_c.
-        beyond: share of the pressure that comes from pairs that interfere by more than the map has: it is guessed, and
-            counts in full in the error of interpolation.
+        shear: resisting force per nominal area, which equals the work per area and sliding distance [Pa].
+        friction_coefficient: shear over pressure [-].
+        dissipation: plastic work and heat of friction per area and sliding distance [J/m^3].
+        contact_fraction: real over nominal contact area [-].
+        dent_lower: volume of new dents in the lower surface per area and sliding distance [-].
+        dent_upper: volume of new dents in the upper surface per area and sliding distance [-].
+        contacts: number of pairs in contact at a time per area [1/m^2].
+        encounters: number of passes per area and sliding distance [1/m^3].
+        largest_interference: largest interference of a pair over alpha_c [-].
+        beyond: fraction of the pressure from pairs with more interference than the map covers [-]; it is extrapolated
+            and counts in full as interpolation error.
     """
 
     separation: float
@@ -101,10 +101,13 @@ class AsperitySum:
     _quantile: float = field(repr=False)
 
     def over(self, area: float, way: float) -> AsperitySum:
-        """The same with the scatter of a finite nominal area [m^2] and way [m], as of an experiment or a direct sum.
+        """Adds the scatter of a finite experiment to pressure, shear and friction coefficient.
 
-        Populations are the same as in the sum; where their asperities lie is by chance. For pressure, shear and the
-        coefficient.
+        The populations are those of the sum; the positions of the asperities are random.
+
+        Args:
+            area: nominal area [m^2].
+            way: sliding distance [m].
         """
         require_positive(area=area, way=way)
         of = {pair: value / (area * way) for pair, value in self._variances.items()}
@@ -142,18 +145,19 @@ def statistical_sum(
     """Sums over all pairs of asperities of two surfaces that slide on each other along x.
 
     Args:
-        of: what one pass comes to; lower and upper as in the populations.
+        of: map of the results of one pass, for the materials of the lower and the upper surface.
         lower: asperities of the lower surface.
-        upper: of the upper one.
-        separation: distance of the two reference planes [m]: a pair interferes by the sum of its heights less that.
-        confidence: of the intervals.
-        samples: drawings of the bootstrap, by which the error of sampling is found: each asperity of a measured
-            population counts as often as a Poisson variable of mean 1 says, so that their number varies, too.
-        seed: of these.
+        upper: asperities of the upper surface.
+        separation: distance of the two reference planes [m]. The interference of a pair is the sum of its heights minus
+            the separation.
+        confidence: confidence level of the intervals, in (0, 1).
+        samples: number of bootstrap samples for the sampling error, 2 or more. In each sample an asperity of a measured
+            population is counted with a Poisson-distributed multiplicity of mean 1, so that the number varies, too.
+        seed: seed of the bootstrap.
 
     Raises:
-        InputError: most of the pressure comes from pairs that interfere by more than the map has; or there are too many
-            pairs.
+        InputError: most of the pressure comes from pairs with more interference than the map covers, or there are too
+            many pairs.
     """
     number(separation, "separation")
     if not 0.0 < confidence < 1.0 or samples < 2:
@@ -171,7 +175,7 @@ def friction_curve(
     samples: int = 400,
     seed: int = 0,
 ) -> list[AsperitySum]:
-    """The sums at several separations [m]; arguments as those of `statistical_sum`."""
+    """Statistical sums at several separations [m]; the other arguments are those of `statistical_sum`."""
     pairs = _Pairs(CrossingTable(of), of, lower, upper)
     return [pairs.at(number(one, "separation"), confidence, samples, seed) for one in separations]
 
@@ -229,9 +233,9 @@ class _Pairs:
         )
 
     def _beyond(self, touch: NDArray[np.bool_], a: FloatArray, normal: FloatArray) -> float:
-        all_of_it = self._expected(touch, normal)
+        total = self._expected(touch, normal)
         last = self._map.interferences[-1]
-        share = self._expected(touch, np.where(a > last, normal, 0.0)) / all_of_it if all_of_it > 0.0 else 0.0
+        share = self._expected(touch, np.where(a > last, normal, 0.0)) / total if total > 0.0 else 0.0
         if share > _MOST_BEYOND:
             raise InputError(
                 f"{100 * share:.0f} % of the pressure comes from pairs that interfere by more than the map's "
@@ -240,11 +244,11 @@ class _Pairs:
         return share
 
     def _expected(self, touch: NDArray[np.bool_], values: FloatArray) -> float:
-        """n1 n2 times the mean over all pairs."""
+        """Product n1 n2 times the mean over all pairs."""
         return self._density * float(self._lower.shares @ self._spread(touch, values) @ self._upper.shares)
 
     def _drawn(self, touch: NDArray[np.bool_], values: FloatArray, weights: tuple[FloatArray, ...]) -> FloatArray:
-        """The same for each drawing of the bootstrap."""
+        """Expected value in each bootstrap sample."""
         of_lower, of_upper = weights
         return np.asarray(self._density * ((of_lower @ self._spread(touch, values)) * of_upper).sum(axis=1))
 
@@ -256,14 +260,14 @@ class _Pairs:
 
 
 def bootstrap_weights(population: Population, samples: int, random: np.random.Generator) -> FloatArray:
-    """Shares of the asperities in each drawing; of a distribution always the same."""
+    """(samples, count) shares of the asperities in each bootstrap sample; constant for a distribution."""
     if not population.is_sample:
         return np.broadcast_to(population.shares, (samples, population.count))
     return np.asarray(random.poisson(1.0, (samples, population.count)) * population.shares)
 
 
 def half_width(drawn: FloatArray, confidence: float) -> float:
-    """Of the interval that holds that share of what was drawn."""
+    """Half-width of the central interval with the share `confidence` of the drawn values."""
     low, high = np.quantile(drawn, [0.5 - 0.5 * confidence, 0.5 + 0.5 * confidence])
     return float(0.5 * (high - low))
 
@@ -271,7 +275,7 @@ def half_width(drawn: FloatArray, confidence: float) -> float:
 def _ratio(
     above: Estimate, below: Estimate, drawn_above: FloatArray, drawn_below: FloatArray, confidence: float
 ) -> Estimate:
-    """Errors of the map in the two have nothing to do with each other; those of sampling do, and are drawn together."""
+    """Ratio of two estimates: their map errors are independent, their sampling errors are drawn together."""
     if not below.value > 0.0:
         return Estimate(math.nan)
     value = above.value / below.value

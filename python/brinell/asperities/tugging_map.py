@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What one pass of two asperities of a material pair comes to: nodes that were computed, and between them.
+"""Results of one pass of two asperities of a material pair: computed nodes, and interpolation between them.
 
-An offset across the motion needs no nodes of its own: spheres look the same from the plane through the motion and the
-line of centres (docs/theory/asperities.md), so it only takes from the interference and turns the forces.
+An offset across the motion needs no nodes of its own: by symmetry of the spheres about the plane through the direction
+of motion and the line of centres (docs/theory/asperities.md), it only reduces the interference and tilts the forces.
 """
 
 from __future__ import annotations
@@ -38,12 +38,12 @@ _DEFAULT_INTERFERENCES = (0.5, 1.0, 1.5, 2.2, 3.2, 4.5, 6.3, 9.0, 13.0)
 
 @dataclass(frozen=True)
 class Interpolated:
-    """Values between the nodes of a map, in SI.
+    """Interpolated values of a map, in SI units.
 
     Attributes:
-        value: as asked for.
-        mesh: how far it may be off because of the cells of the runs, > 0.
-        interpolation: the same because of the distance of the nodes; of values beyond the last node all of it.
+        value: interpolated values.
+        mesh: discretisation error from the cells of the runs, >= 0.
+        interpolation: interpolation error from the distance of the nodes; the full value beyond the last node.
     """
 
     value: FloatArray
@@ -53,15 +53,16 @@ class Interpolated:
 
 @dataclass(frozen=True, eq=False)
 class AsperityMap:
-    """Passes of two spheres of a material pair, over the interference and the ratio of the radii.
+    """Results of passes of two spheres of a material pair, over the interference and the ratio of the radii.
 
     Attributes:
-        case: of the first node, as TOML.
+        case: case of the first node, as TOML.
         pair: critical values of the materials.
-        interferences: of the nodes, alpha/alpha_c, ascending [n].
-        ratios: of the nodes, R1/R2, ascending [k].
-        nodes: by name of a quantity, over its unit and (alpha/alpha_c)^power [k, n]: what is interpolated.
-        mesh_errors: of the nodes, as these [k, n].
+        interferences: (n,) interferences alpha/alpha_c of the nodes, ascending [-].
+        ratios: (k,) ratios R1/R2 of the nodes, ascending [-].
+        nodes: (k, n) values by name of the quantity, divided by its unit and by (alpha/alpha_c)^power, for
+            interpolation.
+        mesh_errors: (k, n) discretisation errors of the nodes, scaled in the same way.
         resolutions: cells per contact radius of the two meshes; the values are those of the finer one.
     """
 
@@ -88,26 +89,28 @@ class AsperityMap:
         cluster: Any = None,
         progress: bool = True,
     ) -> AsperityMap:
-        """Computes the nodes: a sweep of tuggings, each on two meshes.
+        """Computes the nodes by a sweep of tugging runs, each on two meshes.
 
         A script needs ``if __name__ == "__main__":`` before the call, as for `brinell.sweep`.
 
         Args:
             lower: material of the lower surface.
-            upper: of the upper one; None: the same.
-            interferences: of the nodes, alpha/alpha_c: three or more, the lowest not above 1, so that elastic passes
-                follow from it.
-            ratios: of the radii of lower and upper asperity; in units of the pair they change little. Beyond them the
-                map stays, and no error is told of that.
+            upper: material of the upper surface; None: the same.
+            interferences: interferences alpha/alpha_c of the nodes, three or more, ascending; the lowest must not
+                exceed 1, so that elastic passes can be scaled from it.
+            ratios: ratios R1/R2 of the nodes. In units of the pair the results depend weakly on the ratio. Outside the
+                range the map is constant, and no error is reported for that.
             interface: friction between the surfaces.
-            resolutions: cells per contact radius of the coarse and of the fine mesh, whose difference tells the error.
-            output: folder of the sweep, which goes on with what is there; None: a temporary one.
-            workers: processes, as of `brinell.sweep`.
-            cluster: a Dask cluster, likewise.
-            progress: show a bar.
+            resolutions: cells per contact radius of the coarse and the fine mesh, whose difference gives the mesh
+                error.
+            output: folder of the sweep, which resumes what is there; None: a temporary folder.
+            workers: number of processes, as in `brinell.sweep`.
+            cluster: Dask cluster, as in `brinell.sweep`.
+            progress: show a progress bar.
 
         Raises:
-            InputError: nodes or materials do not suit; or runs have failed.
+            InputError: nodes or materials are not suitable.
+            BrinellError: a run has failed.
         """
         from brinell.asperities.nodes import computed_nodes  # sweeps are imported when they are needed
 
@@ -133,14 +136,17 @@ class AsperityMap:
         lower_radius: ArrayLike,
         upper_radius: ArrayLike,
     ) -> Interpolated:
-        """What one pass comes to; 0 where the asperities do not touch.
+        """Result of one pass; 0 where the asperities do not touch. Array arguments are broadcast.
 
         Args:
-            quantity: one of `QUANTITIES`, or "lateral": the integral of F_Y along the pass [N m].
+            quantity: one of `QUANTITIES`, or "lateral", the integral of F_Y along the pass [N m].
             interference: overlap of the tops in height [m].
-            offset: of the upper centre along y [m].
-            lower_radius: R1 [m].
-            upper_radius: R2 [m].
+            offset: distance of the upper centre from the lower one along y [m].
+            lower_radius: radius R1 of the lower asperity [m].
+            upper_radius: radius R2 of the upper asperity [m].
+
+        Raises:
+            InputError: the quantity is unknown.
         """
         R1, R2 = np.asarray(lower_radius, dtype=np.float64), np.asarray(upper_radius, dtype=np.float64)
         alpha, tilt = closest(interference, offset, R1 + R2)
@@ -150,12 +156,12 @@ class AsperityMap:
         return Interpolated(scaled.value * unit, scaled.mesh * np.abs(unit), scaled.interpolation * np.abs(unit))
 
     def scaled(self, quantity: str, interference: ArrayLike, ratio: ArrayLike = 1.0) -> Interpolated:
-        """Of an aligned pair, over the unit of the quantity.
+        """Result of one pass without offset, divided by the unit of the quantity.
 
         Args:
             quantity: one of `QUANTITIES`.
-            interference: alpha/alpha_c.
-            ratio: R1/R2; beyond the nodes as at the last one.
+            interference: alpha/alpha_c [-].
+            ratio: R1/R2 [-]; outside the nodes the value of the last node is used.
         """
         a, kappa = np.broadcast_arrays(np.asarray(interference, dtype=np.float64), np.asarray(ratio, dtype=np.float64))
         power = np.maximum(a, 0.0) ** _known(quantity).power
@@ -168,10 +174,10 @@ class AsperityMap:
 
     @cached_property
     def interpolation_errors(self) -> dict[str, FloatArray]:
-        """Of the nodes, as these [k, n]: what is missed there without the node, from those beside it.
+        """(k, n) interpolation errors of the nodes by quantity: error at each node if it is left out.
 
-        More than the error between the nodes, which are only half as far apart; the outermost nodes have that of the
-        next one.
+        This overestimates the error between the nodes, because the gap is twice as wide; the outermost nodes take the
+        error of their neighbours.
         """
         x = np.log(self.interferences)
         errors = {}
@@ -187,7 +193,7 @@ class AsperityMap:
 
     @cached_property
     def _curves(self) -> dict[str, tuple[list[Any], list[Any], list[Any]]]:
-        """By quantity: values, mesh errors, interpolation errors, one function of ln(alpha/alpha_c) per ratio."""
+        """Interpolants of values, mesh and interpolation errors by quantity, per ratio over ln(alpha/alpha_c)."""
         x = np.log(self.interferences)
 
         def broken_lines(rows: FloatArray) -> list[Any]:
@@ -203,7 +209,7 @@ class AsperityMap:
         }
 
     def between_ratios(self, values: Sequence[FloatArray], ratio: FloatArray) -> FloatArray:
-        """One of several values, of one ratio of the nodes each: linear in its logarithm; as at the last one beyond."""
+        """Interpolates values at the ratios of the nodes: linear in the logarithm of the ratio, constant outside."""
         if len(values) == 1:
             return np.asarray(values[0], dtype=np.float64)
         nodes = np.log(self.ratios)
@@ -216,7 +222,11 @@ class AsperityMap:
         return np.asarray((1.0 - t) * low + t * high)
 
     def write(self, file: str | Path) -> None:
-        """Writes an HDF5 file, which `read` takes."""
+        """Writes the map to an HDF5 file for `read`.
+
+        Raises:
+            IoError: the file cannot be written.
+        """
         try:
             with h5py.File(file, "w") as out:
                 out.attrs.update(
@@ -238,11 +248,11 @@ class AsperityMap:
 
     @classmethod
     def read(cls, file: str | Path) -> AsperityMap:
-        """A map that `write` has written.
+        """Reads a map from a file of `write`.
 
         Raises:
-            InputError: it is none, or of another version.
-            IoError: it cannot be read.
+            InputError: the file is not a map, is damaged or has another format version.
+            IoError: the file cannot be read.
         """
         try:
             with h5py.File(file) as found:
@@ -263,7 +273,11 @@ class AsperityMap:
             raise IoError(f"{file}: cannot be read: {error}") from error
 
     def to_xarray(self) -> xarray.Dataset:
-        """The nodes, over their units: value, `NAME_mesh_error` and `NAME_interpolation_error` of each quantity."""
+        """Nodes as an xarray dataset in units of each quantity: NAME, `NAME_mesh_error`, `NAME_interpolation_error`.
+
+        Raises:
+            MissingExtraError: xarray is not installed.
+        """
         try:
             import xarray
         except ModuleNotFoundError as error:
@@ -288,7 +302,7 @@ class AsperityMap:
 
 
 def turned(quantity: str, tilt: FloatArray) -> FloatArray:
-    """What a tilted line of centres leaves of it, or makes of the normal force."""
+    """Factor on a quantity for a tilted line of centres; for "lateral" the factor on the normal force."""
     if quantity in ("normal", "peak_F_Z"):
         return np.asarray(np.cos(tilt))
     return np.asarray(np.sin(tilt)) if quantity == "lateral" else np.ones_like(tilt)
@@ -301,7 +315,7 @@ def _known(name: str) -> Quantity:
 
 
 def _shape_preserving(x: FloatArray, values: FloatArray) -> Any:
-    """Monotone where the values are (Fritsch and Carlson 1980), so that nothing overshoots."""
+    """Interpolant that is monotone where the values are (Fritsch and Carlson 1980), so that it does not overshoot."""
     return PchipInterpolator(x, values)
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Materials: elastic constants, hardening laws, what changes with depth, and constants of heat.
+"""Materials: elastic constants, hardening and softening laws, profiles over depth, and thermal constants.
 
     steel = Material("210 GPa", 0.3, Swift(coefficient="2.1 GPa", offset=4e-3, exponent=0.095))
     soft = Material(70e9, 0.33, hardening=lambda e: 250e6 + 180e6 * np.tanh(30 * e))
 
-A number is in SI; a string carries its unit, as in the case file, whose table `material` this module writes. e is the
-equivalent plastic strain, sigma_y(e) the yield stress in uniaxial tension.
+Numbers are in SI units; text has its own unit, as in the case file. e is the equivalent plastic strain, sigma_y(e) the
+yield stress in uniaxial tension.
 """
 
 from brinell.materials.hardening import (

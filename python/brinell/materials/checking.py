@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Materials are checked where those of a case file are."""
+"""Validation of materials by the engine's reader of case files."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ __all__ = ["case_of"]
 
 
 def case_of(material: dict[str, Any]) -> _core.Case:
-    """A case of which only the material of the lower body counts.
+    """Parsed case whose lower body has the material; the rest of the case is arbitrary.
 
     Raises:
-        InputError: a value, unit or combination that the case file would not allow; names the keys of the material.
+        InputError: a value, unit or combination that the case file does not allow; the text names the material's keys.
     """
     ball = {"type": "sphere", "radius": 1.0}
     values = {
         "scenario": "indentation",
         "lower": {"shape": ball, "material": material},
         "upper": {"shape": ball, "material": {"rigid": True}},
-        "indentation": {"load": [1e-15]},  # a contact that needs few cells, however soft the material is
+        "indentation": {"load": [1e-15]},  # a contact that needs few cells for any material
     }
     try:
         return _core.parse_case(tomli_w.dumps(plain(values)), "material", [], {}, names_lines=False)

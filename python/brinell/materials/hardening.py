@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hardening laws, as the case file has them: the yield stress over the equivalent plastic strain."""
+"""Hardening laws of the case file: yield stress as a function of the equivalent plastic strain."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Swift(Hardening):
 
 @dataclass(frozen=True)
 class SwiftMicrostrain(Hardening):
-    """sigma_y(e) = coefficient (offset + 1e6 e)^exponent: Swift's law with strains in millionths; coefficient in Pa."""
+    """sigma_y(e) = coefficient (offset + 1e6 e)^exponent, Swift's law in microstrain; coefficient in Pa."""
 
     law: ClassVar[str] = "swift_microstrain"
     coefficient: Quantity
@@ -78,7 +78,7 @@ class SwiftMicrostrain(Hardening):
 
 @dataclass(frozen=True)
 class Hollomon(Hardening):
-    """sigma_y(e) = coefficient (e_0 + e)^exponent, e_0 such that it begins at yield_stress (Hollomon 1945); in Pa."""
+    """sigma_y(e) = coefficient (e_0 + e)^exponent with e_0 from sigma_y(0) = yield_stress (Hollomon 1945); in Pa."""
 
     law: ClassVar[str] = "hollomon"
     yield_stress: Quantity
@@ -108,13 +108,21 @@ class Voce(Hardening):
 
 @dataclass(frozen=True)
 class Table(Hardening):
-    """Linear between points, constant after the last one. Of a file: `file` or `from_file`; of a function: `of`.
+    """Tabulated hardening law: linear between points, constant after the last one.
+
+    `file` or `from_file` reads a table from a file, `of` samples a function.
 
     Attributes:
         plastic_strain: equivalent plastic strains, ascending from 0 [-].
-        stress: yield stresses, as many, not falling [Pa].
-        monotone: a stress below an earlier one, as the scatter of a measurement has it, becomes that one.
-        file: instead of the points, as in the case file: what `from_file` reads, with `stress_unit` and `strain_unit`.
+        stress: yield stresses at these strains, not decreasing [Pa].
+        monotone: whether a stress below an earlier one, as from scatter of a measurement, is raised to the earlier one.
+        file: file with the points instead of `plastic_strain` and `stress`, as in the case file (argument only); see
+            `from_file`.
+        stress_unit: unit of the stresses in the file (argument only).
+        strain_unit: unit of the strains in the file, "1" or "%" (argument only).
+
+    Raises:
+        InputError: neither points nor a file are given, or both.
     """
 
     law: ClassVar[str] = "table"
@@ -142,19 +150,20 @@ class Table(Hardening):
     def from_file(
         cls, path: str | Path, *, unit: str = "Pa", strain: Literal["1", "%"] = "1", monotone: bool = False
     ) -> Table:
-        """A measured curve: a text file with a point per line, plastic strain and stress.
+        """Reads a measured curve from a text file with plastic strain and stress of one point per line.
 
-        Columns stand between commas, semicolons, tabs or blanks; where something else than a comma stands between them,
-        commas are decimal ones. Lines of titles may come first; comments begin with #.
+        Columns are separated by commas, semicolons, tabs or blanks. If the separator is not a comma, commas are decimal
+        commas. Title lines may come first; comments start with #.
 
         Args:
-            path: of the file.
-            unit: of its stresses, "MPa".
-            strain: unit of its plastic strains.
-            monotone: a stress below an earlier one becomes that one; without it a curve that falls is refused.
+            path: path of the file.
+            unit: unit of the stresses in the file, such as "MPa".
+            strain: unit of the plastic strains in the file, "1" or "%".
+            monotone: raise a stress below an earlier one to the earlier one; otherwise a decreasing curve is an error.
 
         Raises:
-            InputError: the file, a line of it or the unit is not as it should be, or the curve is no hardening law.
+            InputError: the file or one of its lines is invalid, the unit is unknown, or the curve is not a hardening
+                law.
         """
         table = {
             "law": cls.law,
@@ -178,14 +187,15 @@ class Table(Hardening):
 
     @classmethod
     def of(cls, law: Law, max_strain: float = 1.0) -> Table:
-        """A table of a function, fine enough that it differs from it by less than 1e-4 of its value.
+        """Samples a function so finely that the table differs from it by less than 1e-4 of its value.
 
         Args:
-            law: sigma_y(e) [Pa], > 0, continuous, not falling. Called with one strain, a NumPy number, at a time.
-            max_strain: where the table ends [-]; the yield stress is constant beyond.
+            law: function sigma_y(e) [Pa], > 0, continuous and not decreasing. It is called with one strain (a NumPy
+                scalar) at a time.
+            max_strain: last strain of the table [-]; the yield stress is constant beyond it.
 
         Raises:
-            InputError: the function has no such value, falls or jumps; the text says where.
+            InputError: the function returns an invalid value, decreases or jumps; the text says where.
         """
         if not (math.isfinite(max_strain) and max_strain > 0):
             raise InputError(f"max_strain = {max_strain} of a hardening law; allowed: above 0")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A material: elastic constants, how it yields, and what it does with heat."""
+"""A material: elastic constants, yielding, and thermal constants."""
 
 from __future__ import annotations
 
@@ -23,26 +23,29 @@ __all__ = ["RIGID", "Material"]
 
 
 def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
-    """Pairs or lists as what can be compared and does not change."""
+    """Converts pairs or lists to tuples, which are immutable and can be compared."""
     return tuple(tuple(plain(entry)) for entry in values)
 
 
 @renamed(kinematic="back_stresses")
 @dataclass(frozen=True)
 class Material:
-    """An elastic material, elastic-plastic if it has a hardening law.
+    """A linear elastic material, which is elastic-plastic if it has a hardening law.
 
     Attributes:
-        young_modulus: E [Pa], > 0.
-        poisson_ratio: nu [-], in (-1, 0.5).
-        hardening: size of the yield surface; None: stays elastic. Any function sigma_y(e) is one too; it becomes
-            `Table.of` it, up to a strain of 1.
+        young_modulus: Young's modulus E, > 0 [Pa].
+        poisson_ratio: Poisson's ratio nu, in (-1, 0.5) [-].
+        hardening: isotropic hardening law, which gives the size of the yield surface; None: the body stays elastic. A
+            function sigma_y(e) is converted by `Table.of`, up to a strain of 1.
         back_stresses: kinematic hardening as pairs (modulus C [Pa], recall gamma [-]),
             d alpha = 2/3 C d eps - gamma alpha d e (Armstrong, Frederick 1966; Chaboche 1986; gamma = 0: Prager 1956).
-        yield_profile: (depths [m], factors on the yield stress [-]), linear between, constant beyond.
-        initial_stress: (depths [m], stresses xx = yy before the first load [Pa]), tension positive.
-        thermal: constants of heat; None: no heat is computed in the body.
-        softening: how the yield stress falls with the temperature; None: not at all.
+        yield_profile: pair (depths [m], factors on the yield stress [-]), linear between the depths, constant beyond.
+        initial_stress: pair (depths [m], stresses xx = yy before the first load [Pa]), positive in tension.
+        thermal: thermal constants; None: no heat is computed in the body.
+        softening: law of thermal softening of the yield stress; None: no softening.
+
+    Raises:
+        InputError: hardening, thermal or softening is of another type. Values are checked when the material is used.
     """
 
     young_modulus: Quantity
@@ -102,18 +105,18 @@ class Material:
 
     @cached_property
     def _engine(self) -> _core.Material:
-        """The same for the engine, checked and in SI.
+        """The engine's material, validated and in SI units.
 
         Raises:
-            InputError: a value, unit or combination that the case file would not allow either.
+            InputError: a value, unit or combination that the case file does not allow.
         """
         if self.is_rigid:
             return _core.rigid_material()
         return _core.lower_material(case_of(self.to_case()))
 
     def __getstate__(self) -> dict[str, Any]:
-        return {field.name: getattr(self, field.name) for field in fields(self)}  # what is pickled: not the engine's
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # the engine's object is not pickled
 
 
 RIGID = Material(math.inf, 0.0)
-"""A body that does not deform at all."""
+"""Material of a rigid body."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hardening law that is a function, as a table fine enough for it."""
+"""Sampling of a hardening law that is given as a function."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from brinell.errors import InputError
 __all__ = ["Law", "sampled"]
 
 Law: TypeAlias = Callable[[Any], Any]
-"""A hardening law of one's own: sigma_y(e) [Pa]. Called with one strain at a time."""
+"""User-defined hardening law: a function sigma_y(e) [Pa] that is called with one strain at a time."""
 
 
 class _Checked:
-    """A hardening law that is watched: each value is a stress, and none is below one at a smaller strain."""
+    """Hardening law with checks: each value is a stress > 0, and the values do not decrease with the strain."""
 
     def __init__(self, law: Law):
         self._law = law
@@ -44,7 +44,7 @@ class _Checked:
         return self._known[e]
 
     def require_rise(self) -> None:
-        """Of all the values so far, but for rounding."""
+        """Raises InputError if the values so far decrease with the strain by more than rounding."""
         rounding = 1e-12
         points = sorted(self._known.items())
         for (_, before), (e, after) in itertools.pairwise(points):
@@ -56,15 +56,15 @@ class _Checked:
 
 
 def sampled(function: Law, end: float) -> tuple[list[float], list[float]]:
-    """Strains from 0 to `end` and the yield stresses of a law there, straight between to 1e-4 of the value.
+    """Strains from 0 to `end` and the yield stresses there, so that linear interpolation is accurate to 1e-4.
 
-    Intervals are halved until the law is straight in them, as far as three points inside tell.
+    Intervals are halved until the law is linear in them, as judged by three interior points.
 
     Raises:
-        InputError: the function has no such value, falls or jumps; the text says where.
+        InputError: the function returns an invalid value, decreases or jumps; the text says where.
     """
     law = _Checked(function)
-    tolerance = 1e-4 / 2  # half of what is promised, for what lies between the three points
+    tolerance = 1e-4 / 2  # half of the promised error, as a margin between the three points
     coarsest = 32
     todo = [(end * (i - 1) / coarsest, end * i / coarsest) for i in range(coarsest, 0, -1)]
     strain = [0.0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Constants of heat of a material, and how its yield stress falls with the temperature."""
+"""Thermal constants of a material, and thermal softening of its yield stress."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ __all__ = ["JohnsonCook", "LinearSoftening", "Softening", "SofteningTable", "The
 
 
 class Softening:
-    """A factor on the yield stress by the temperature; at least 0.01, also of what has melted.
+    """Thermal softening: a factor on the yield stress as a function of temperature.
 
-    Temperatures are in deg C, or text, "293.15 K". Back stresses are not softened.
+    The factor is at least 0.01, also above the melting temperature. Temperatures are in deg C, or text such as
+    "293.15 K". Back stresses are not softened.
     """
 
     law: ClassVar[str]
@@ -32,7 +33,7 @@ class Softening:
 
 @dataclass(frozen=True)
 class LinearSoftening(Softening):
-    """1 up to the reference temperature, 0 from melting on, straight between."""
+    """Factor 1 up to the reference temperature, linear to 0 at the melting temperature."""
 
     law: ClassVar[str] = "linear"
     melting_temperature: Quantity
@@ -41,7 +42,7 @@ class LinearSoftening(Softening):
 
 @dataclass(frozen=True)
 class JohnsonCook(Softening):
-    """1 - ((T - T_ref)/(T_melt - T_ref))^exponent (Johnson and Cook 1983); 1 below T_ref."""
+    """Factor 1 - ((T - T_ref)/(T_melt - T_ref))^exponent (Johnson and Cook 1983); 1 below T_ref."""
 
     law: ClassVar[str] = "johnson_cook"
     melting_temperature: Quantity
@@ -51,11 +52,11 @@ class JohnsonCook(Softening):
 
 @dataclass(frozen=True)
 class SofteningTable(Softening):
-    """Linear between points, constant outside them.
+    """Tabulated factor: linear between points, constant outside them.
 
     Attributes:
-        temperature: of the points, ascending.
-        factor: on the yield stress, as many, > 0.
+        temperature: temperatures of the points, ascending [deg C], or text with a unit.
+        factor: factors on the yield stress at these temperatures, > 0 [-].
     """
 
     law: ClassVar[str] = "table"
@@ -69,14 +70,17 @@ class SofteningTable(Softening):
 
 @dataclass(frozen=True)
 class Thermal:
-    """Constants of a body that conducts heat.
+    """Thermal constants of a body.
 
     Attributes:
-        conductivity: K [W/(m K)], > 0.
-        density: rho [kg/m^3], > 0.
-        specific_heat: c [J/(kg K)], > 0.
-        expansion: alpha, linear, of the free body [1/K]; temperatures do without it.
-        temperature: of the bulk [deg C], or text, "293.15 K".
+        conductivity: thermal conductivity K, > 0 [W/(m K)].
+        density: density rho, > 0 [kg/m^3].
+        specific_heat: specific heat c, > 0 [J/(kg K)].
+        expansion: coefficient of linear thermal expansion alpha [1/K]; it does not affect temperatures.
+        temperature: bulk temperature [deg C], or text such as "293.15 K".
+
+    Raises:
+        InputError: a value or unit that the case file does not allow.
     """
 
     conductivity: Quantity
@@ -100,7 +104,7 @@ class Thermal:
 
     @property
     def diffusivity(self) -> float:
-        """K/(rho c) [m^2/s]."""
+        """Thermal diffusivity K/(rho c) [m^2/s]."""
         return self._engine.diffusivity
 
     def to_case(self) -> dict[str, Any]:
@@ -110,10 +114,10 @@ class Thermal:
 
     @cached_property
     def _engine(self) -> _core.Thermal:
-        """The same for the engine, checked and in SI.
+        """The engine's object, validated and in SI units.
 
         Raises:
-            InputError: a value or unit that the case file would not allow either.
+            InputError: a value or unit that the case file does not allow.
         """
         try:
             case = case_of({"young_modulus": 1e12, "poisson_ratio": 0.3, "thermal": self.to_case()})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Moving pictures of one pass, from its stored states."""
+"""Animations of one pass, from its stored states."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def animate(
 
 
 def remark_on(run: Run, pass_: int) -> str:
-    """What to say of an animation whose pass is stored with large gaps; nothing if half of its steps are."""
+    """Warning for an animation of a pass of which less than half of the steps are stored; otherwise empty."""
     stored = len(stored_in_pass(run, pass_))
     steps = int(np.count_nonzero(run.history["pass"] == pass_))
     if 2 * stored >= steps:

@@ -19,7 +19,7 @@ FloatArray = NDArray[np.float64]
 
 
 def contact_edge(contact: ContactFields) -> FloatArray:
-    """A function whose zero line is the edge of contact, positive inside [-], array [y][x].
+    """Level-set function (ny, nx) whose zero line is the edge of contact, positive inside the contact [-].
 
     Near the edge the pressure grows with the square root of the distance and the gap with its power 3/2, so that p^2
     and gap^(2/3) are linear there and linear interpolation finds the edge within a fraction of a cell.

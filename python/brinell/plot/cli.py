@@ -18,7 +18,7 @@ import click
 import matplotlib
 
 from brinell._names import did_you_mean
-from brinell.commands import folder_of, tells_errors
+from brinell.commands import folder_of, reports_errors
 from brinell.plot import animation as moving
 from brinell.plot import fields as state
 from brinell.plot import history as course
@@ -163,7 +163,7 @@ def _print(paths: Sequence[Path]) -> None:
 @_into_run
 @_formats
 @_takes_si
-@tells_errors
+@reports_errors
 def _all(run: Path, output: Path | None, formats: list[str]) -> None:
     """All figures that suit a run, finished or not."""
     for named in standard_figures(open_run(run, allow_unfinished=True)):
@@ -176,7 +176,7 @@ def _several(drawings: Drawings) -> click.Command:
     @_run_folders
     @_into_figures
     @_formats
-    @tells_errors
+    @reports_errors
     def draw_them(runs: Sequence[Path], output: Path, formats: list[str]) -> None:
         opened = [open_run(path) for path in runs]
         for name, drawing in drawings.figures.items():
@@ -203,7 +203,7 @@ def _state_name(which: int | str) -> str:
 @_into_run
 @_formats
 @_takes_si
-@tells_errors
+@reports_errors
 def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, formats: list[str]) -> None:
     """Contact pressure, gap, residual surfaces, stress, plastic strain, stick and slip of one state."""
     opened = open_run(run, allow_unfinished=True)
@@ -233,7 +233,7 @@ def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, f
 @_into_run
 @_formats
 @_takes_si
-@tells_errors
+@reports_errors
 def _section(
     run: Path,
     names: Sequence[str],
@@ -279,7 +279,7 @@ def _section(
     help="A .gif, or an .mp4 (needs ffmpeg); by default RUN/figures/FIELD.gif.",
 )
 @_takes_si
-@tells_errors
+@reports_errors
 def _animate(
     run: Path,
     field: str,
@@ -306,7 +306,7 @@ def _animate(
 @_into_run
 @_formats
 @_takes_si
-@tells_errors
+@reports_errors
 def _history(run: Path, output: Path | None, formats: list[str]) -> None:
     """Forces, energies, deformation and cost of one run, step by step."""
     opened = open_run(run, allow_unfinished=True)

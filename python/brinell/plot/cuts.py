@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fields on a plane, ready to be drawn: which bodies it cuts, where their cells come to lie, how much to show."""
+"""Fields on a plane, ready to be drawn: the bodies that the plane cuts, the positions of their cells, the window."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Panel:
     colour_map: str
     norm: Normalize
     unit: float
-    """What the values are divided by."""
+    """Scale by which the values are divided."""
     cuts: list[Cut]
 
 

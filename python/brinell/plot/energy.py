@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the work of the drive has gone, and how much of it is unaccounted for."""
+"""Energy balance: what the work of the drive was converted to, and the error of the balance."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Sink:
-    """Something that takes up work."""
+    """A form of energy to which work of the drive is converted."""
 
     column: str
     """Of the history."""
@@ -38,11 +38,11 @@ SINKS = (
     Sink("energy_residual", "locked in", style.CATEGORIES[2]),
     Sink("energy_elastic", "recoverable", "#BBBBBB"),
 )
-"""All that the work of the drive turns into."""
+"""All forms of energy to which the work of the drive is converted."""
 
 
 def sinks_of(history: History) -> tuple[Sink, ...]:
-    """Those that a history tells; older ones have no friction and no wear."""
+    """Forms of energy whose columns a history has; older histories lack friction and wear."""
     return tuple(sink for sink in SINKS if sink.column in history)
 
 

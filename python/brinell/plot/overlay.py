@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several results in one figure: a colour, a dash and a name for each, and a legend beside the axes."""
+"""Several results in one figure: a colour, a dash pattern and a label for each, and a legend beside the axes."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def legend_beside(ax: Axes, handles: Sequence[Look], title: str | None = None) -
 
 
 def largest(arrays: Iterable[ArrayLike]) -> float:
-    """Largest magnitude, 0 if there is nothing."""
+    """Largest magnitude of the values; 0 if there are none."""
     return max((float(np.abs(a).max(initial=0.0)) for a in map(np.asarray, arrays)), default=0.0)
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Closed-form solutions to lay beside a computation: Hertz, first yield, indented spheres, elastic tugging.
+"""Closed-form reference solutions: Hertz, first yield, indented spheres, elastic tugging.
 
-Cylinders are in plane strain. Their approach has a logarithm without end: it counts from a reference distance l, by
-default 2 R/e, with which it is that of Green (2005).
+Cylinders are in plane strain. Their approach depends logarithmically on a reference distance l, at which the
+displacement is set to zero; the default 2 R/e gives the approach of Green (2005).
 
 z points into the body, pressure is positive in compression, stress in tension; tensor components come first, in the
 order xx, yy, zz, yz, xz, xy. R is the equivalent radius, 1/R = 1/R1 + 1/R2; E' the contact modulus,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""First yield of contacts: where, with friction too, and at which load and approach without."""
+"""First yield of contacts: its position with and without friction, and load and approach without friction."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ from brinell.reference.hertz import approach_origin
 
 @dataclass(frozen=True)
 class FirstYield:
-    """Where a contact yields first, in the plane y = 0.
+    """Point of first yield of a contact, in the plane y = 0.
 
     Attributes:
         pressure_ratio: C = p0/S_y = p0/(largest von Mises stress) [-].
-        depth_ratio: depth over contact radius, or half-width of a line contact [-].
-        x_ratio: x over the same; 0 without friction, -1 is the edge behind a slider that moves towards +x [-].
+        depth_ratio: depth over contact radius, or over the half-width of a line contact [-].
+        x_ratio: x over contact radius or half-width [-]; 0 without friction, -1 is the trailing edge of a slider that
+            moves towards +x.
     """
 
     pressure_ratio: float
@@ -27,11 +28,11 @@ class FirstYield:
 
 
 def first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
-    """First yield by von Mises of a point contact, exact: on its axis without friction, else as in Hamilton (1983).
+    """First yield (von Mises) of a point contact, exact; without friction on the axis, else by Hamilton (1983).
 
     Args:
-        poisson_ratio: nu, in [0, 0.5].
-        friction: shear on the body towards +x, over the pressure, >= 0. From about 0.3 on the surface yields first.
+        poisson_ratio: nu, in [0, 0.5] [-].
+        friction: shear on the body towards +x over the pressure, >= 0 [-]. From about 0.3 on, the surface yields first.
 
     Raises:
         InputError: a value is out of range.
@@ -40,13 +41,14 @@ def first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
 
 
 def line_contact_first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
-    """First yield by von Mises of a line contact in plane strain, exact.
+    """First yield (von Mises) of a line contact in plane strain, exact.
 
-    Without friction it is on the axis, up to nu = 0.1938 at the surface; Green's (2005) fits are within 0.15 % of it.
+    Without friction the point is on the axis, up to nu = 0.1938 at the surface. The fits of Green (2005) agree within
+    0.15 %.
 
     Args:
-        poisson_ratio: nu, in (-1, 0.5].
-        friction: shear on the body towards +x, over the pressure, >= 0.
+        poisson_ratio: nu, in (-1, 0.5] [-].
+        friction: shear on the body towards +x over the pressure, >= 0 [-].
 
     Raises:
         InputError: a value is out of range.
@@ -62,15 +64,15 @@ def critical_pressure_ratio(poisson_ratio: float) -> float:
 
 @dataclass(frozen=True)
 class CriticalValues:
-    """First yield of a frictionless contact, in a point or along a line.
+    """Values at first yield of a frictionless point or line contact.
 
     Attributes:
-        C: p0/S_y [-].
-        interference: alpha_c [m].
-        load: P_c [N].
-        energy: U_c [J].
-        contact_radius: a_c, of a line its half-width [m].
-        contact_area: pi a_c^2, of a line of the length L 2 a_c L [m²].
+        C: peak pressure over yield stress, p0/S_y [-].
+        interference: critical interference alpha_c [m].
+        load: critical load P_c [N].
+        energy: elastic energy U_c [J].
+        contact_radius: contact radius a_c; for a line contact the half-width [m].
+        contact_area: pi a_c^2; for a line contact of length L, 2 a_c L [m²].
         peak_pressure: C S_y [Pa].
     """
 
@@ -96,12 +98,12 @@ def critical_values(
     Args:
         radius: R [m].
         contact_modulus: E' [Pa].
-        yield_stress: S_y of the body that yields first, that with the smaller C S_y [Pa].
-        poisson_ratio: nu of that body; C is `critical_pressure_ratio` of it.
-        C: instead of nu: p0/S_y at first yield.
+        yield_stress: S_y of the body that yields first, which is the one with the smaller C S_y [Pa].
+        poisson_ratio: nu of that body, from which `critical_pressure_ratio` gives C [-].
+        C: p0/S_y at first yield, instead of nu [-].
 
     Raises:
-        InputError: a value is out of range, or not one of poisson_ratio and C is given.
+        InputError: a value is out of range, or not exactly one of poisson_ratio and C is given.
     """
     require_positive(radius=radius, contact_modulus=contact_modulus, yield_stress=yield_stress)
     if poisson_ratio is not None and C is None:
@@ -127,14 +129,14 @@ def critical_line_values(
     Args:
         radius: R [m].
         contact_modulus: E' [Pa].
-        yield_stress: S_y of the body that yields first, that with the smaller C S_y [Pa].
-        poisson_ratio: nu of that body; C is that of `line_contact_first_yield`.
-        C: instead of nu: p0/S_y at first yield.
-        length: on which load, energy and area are [m].
-        reference: distance l from which the approach counts [m]; None: 2 R/e, as in Green's formulae.
+        yield_stress: S_y of the body that yields first, which is the one with the smaller C S_y [Pa].
+        poisson_ratio: nu of that body, from which `line_contact_first_yield` gives C [-].
+        C: p0/S_y at first yield, instead of nu [-].
+        length: length of the contact, to which load, energy and area refer [m].
+        reference: reference distance l of the approach [m]; None: 2 R/e, as in Green's formulae.
 
     Raises:
-        InputError: a value is out of range, or not one of poisson_ratio and C is given.
+        InputError: a value is out of range, or not exactly one of poisson_ratio and C is given.
     """
     require_positive(radius=radius, contact_modulus=contact_modulus, yield_stress=yield_stress)
     if poisson_ratio is not None and C is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two elastic bodies that are carried past each other."""
+"""Elastic tugging: two elastic bodies that move past each other with interference."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ class TuggingForces:
     """Forces of two elastic spheres or cylinders that pass each other.
 
     Attributes:
-        load: P along the line of centres (...) [N].
-        F_X: positive if it resists the motion, before alignment (...) [N].
-        F_Z: presses them apart (...) [N].
-        interference: of the undeformed bodies, 0 without contact (...) [m].
+        load: (...) force P along the line of centres [N].
+        F_X: (...) force along the motion, positive if it resists the motion, as before alignment [N].
+        F_Z: (...) normal force, positive if it presses the bodies apart [N].
+        interference: (...) interference of the undeformed bodies along the line of centres; 0 without contact [m].
     """
 
     load: Array
@@ -31,11 +31,12 @@ class TuggingForces:
 
 
 class ElasticTugging:
-    """Two elastic bodies of which the upper is carried past the lower one at constant height, without friction.
+    """Two elastic bodies, of which the upper one moves past the lower one at constant height, without friction.
 
-    At the sliding coordinate X the centres are omega' apart, omega'^2 = omega^2 + X^2, omega = R1 + R2 - interference,
-    and F_X = -P X/omega', F_Z = P omega/omega'. P is that of the approach R1 + R2 - omega': 4/3 E' sqrt(R) approach^1.5
-    of spheres, and of cylinders that of `line_contact` over their length.
+    At the sliding coordinate X the distance of the centres is omega', omega'^2 = omega^2 + X^2, with
+    omega = R1 + R2 - interference; F_X = -P X/omega', F_Z = P omega/omega'. P is the load at the approach
+    R1 + R2 - omega': 4/3 E' sqrt(R) approach^1.5 for spheres; for cylinders the load per length of `line_contact` times
+    their length.
     """
 
     def __init__(
@@ -48,15 +49,15 @@ class ElasticTugging:
         length: float | None = None,
         reference: float | None = None,
     ):
-        """Two spheres, or cylinders in plane strain if a length is given.
+        """Defines two spheres, or two cylinders in plane strain if a length is given.
 
         Args:
-            radius_lower: R1 [m].
-            radius_upper: R2 [m].
-            contact_modulus: E' [Pa].
-            interference: at alignment [m], in (0, R1 + R2).
-            length: of cylinders, on which forces and energies are [m].
-            reference: of cylinders: distance l from which the approach counts [m]; None: 2 R/e.
+            radius_lower: radius R1 of the lower body [m].
+            radius_upper: radius R2 of the upper body [m].
+            contact_modulus: contact modulus E' [Pa].
+            interference: interference at alignment, in (0, R1 + R2) [m].
+            length: length of cylinders, to which forces and energies refer [m]; None: spheres.
+            reference: for cylinders: reference distance l of the approach [m]; None: 2 R/e.
 
         Raises:
             InputError: a value is out of range.
@@ -76,16 +77,26 @@ class ElasticTugging:
 
     @property
     def half_sliding_distance(self) -> float:
-        """The bodies touch from -d0 to d0 [m] (Boucly, Nelias, Green 2006, Eq. 2)."""
+        """Half the sliding distance in contact, d0 [m]: the contact lasts from X = -d0 to d0.
+
+        Source: Boucly, Nelias, Green 2006, Eq. 2.
+        """
         return self._engine.half_sliding_distance()
 
     def forces(self, X: ArrayLike) -> TuggingForces:
-        """Forces at the sliding coordinates X (...) [m], 0 at alignment."""
+        """Forces at the sliding coordinates X.
+
+        Args:
+            X: (...) sliding coordinates, 0 at alignment [m].
+
+        Returns:
+            Forces and interference of shape (...).
+        """
         shape, (X,) = points(X=X)
         return TuggingForces(*self._engine.forces(X).reshape(4, *shape))
 
     def peak(self) -> tuple[float, float]:
-        """The largest F_X [N] and the X < 0 where it is [m]."""
+        """Largest F_X [N], and the coordinate X < 0 at which it occurs [m]."""
         return self._engine.peak()
 
     def work(self, X1: float, X2: float) -> float:
@@ -94,7 +105,7 @@ class ElasticTugging:
 
 
 def elastic_tugging_reach(lower_radius: float, upper_radius: float, interference: float) -> float:
-    """Sliding coordinate at which two elastic spheres or cylinders part, d0 (Boucly, Nelias, Green 2006, Eq. 2).
+    """Sliding coordinate d0 at which two elastic spheres or cylinders separate (Boucly, Nelias, Green 2006, Eq. 2).
 
     Args:
         lower_radius: radius of the lower sphere [m].
@@ -116,18 +127,18 @@ def elastic_tugging_forces(
     *,
     reference: float | None = None,
 ) -> tuple[Array, Array]:
-    """Forces of two elastic spheres or cylinders over the critical load, for which no elastic constant is needed.
+    """Forces of two elastic spheres or cylinders relative to the critical load, which need no elastic constants.
 
     Args:
-        X: sliding coordinate, 0 at alignment [m].
+        X: (...) sliding coordinates, 0 at alignment [m].
         lower_radius: radius of the lower body [m].
         upper_radius: radius of the upper body [m].
         interference: rigid-body interference at alignment [m], > 0.
         critical_interference: interference at first yield, alpha_c [m].
-        reference: of cylinders: distance l from which their approach counts [m]; None: spheres.
+        reference: for cylinders: reference distance l of the approach [m]; None: spheres.
 
     Returns:
-        F_X / P_c and F_Z / P_c [-], zero where they do not touch.
+        F_X / P_c and F_Z / P_c, each (...) [-]; zero where the bodies do not touch.
     """
     radius = 1.0 / (1.0 / lower_radius + 1.0 / upper_radius)
     if reference is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Elastic contacts in a point and along a line, and the stress under them (Hertz 1882)."""
+"""Elastic point and line contacts, and the stress under them (Hertz 1882)."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ def contact_modulus(lower: Material, upper: Material = RIGID) -> float:
     """Contact modulus E' of two bodies (Johnson 1985, Eq. 4.4).
 
     Args:
-        lower: one body.
-        upper: the other one.
+        lower: material of the lower body.
+        upper: material of the upper body.
 
     Returns:
-        E' [Pa].
+        Contact modulus E' [Pa].
 
     Raises:
-        InputError: both are rigid.
+        InputError: both bodies are rigid.
     """
     return _core.contact_modulus(lower._engine, upper._engine)
 
@@ -36,8 +36,8 @@ class PointContact:
 
     Attributes:
         load: P = 4/3 E' sqrt(R) approach^1.5 [N].
-        approach: of distant points, a^2/R [m].
-        contact_radius: a [m].
+        approach: approach of distant points, a^2/R [m].
+        contact_radius: contact radius a [m].
         peak_pressure: p0 = 3 P/(2 pi a^2) [Pa].
     """
 
@@ -53,16 +53,16 @@ def point_contact(
     """Contact of spheres (Hertz 1882; Johnson 1985, Eqs. 4.22-4.24).
 
     Args:
-        radius: R [m].
-        contact_modulus: E' [Pa].
-        load: [N], >= 0.
-        approach: instead of the load [m], >= 0.
+        radius: equivalent radius R [m].
+        contact_modulus: contact modulus E' [Pa].
+        load: normal load, >= 0 [N].
+        approach: approach instead of the load, >= 0 [m].
 
     Returns:
-        Radius, approach, load and pressures of the contact.
+        Load, approach, radius and peak pressure of the contact.
 
     Raises:
-        InputError: a value is out of range, or not one of load and approach is given.
+        InputError: a value is out of range, or not exactly one of load and approach is given.
     """
     if load is not None and approach is None:
         values = numbers(radius=radius, contact_modulus=contact_modulus, load=load)
@@ -75,14 +75,14 @@ def point_contact(
 
 @dataclass(frozen=True)
 class EllipticalContact:
-    """Hertz contact with an elliptical area and the pressure p0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2).
+    """Hertz contact with an elliptical contact area and the pressure p0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2).
 
     Attributes:
         load: P = 2/3 pi a_x a_y p0 [N].
-        approach: of distant points [m].
-        semi_axis_x: a_x [m].
-        semi_axis_y: a_y [m].
-        peak_pressure: p0 [Pa].
+        approach: approach of distant points [m].
+        semi_axis_x: semi-axis a_x of the contact area [m].
+        semi_axis_y: semi-axis a_y of the contact area [m].
+        peak_pressure: peak pressure p0 [Pa].
     """
 
     load: float
@@ -103,14 +103,14 @@ def elliptical_contact(
     """Contact of surfaces with two curvatures (Hertz 1882; Johnson 1985, Eqs. 4.26-4.33).
 
     Args:
-        radius_x: of relative curvature: the undeformed gap is x^2/(2 radius_x) + y^2/(2 radius_y) [m].
-        radius_y: [m].
-        contact_modulus: E' [Pa].
-        load: [N], >= 0.
-        approach: instead of the load [m], >= 0.
+        radius_x: radius of relative curvature along x [m]: the undeformed gap is x^2/(2 radius_x) + y^2/(2 radius_y).
+        radius_y: radius of relative curvature along y [m].
+        contact_modulus: contact modulus E' [Pa].
+        load: normal load, >= 0 [N].
+        approach: approach instead of the load, >= 0 [m].
 
     Raises:
-        InputError: a value is out of range, or not one of load and approach is given.
+        InputError: a value is out of range, or not exactly one of load and approach is given.
     """
     bodies = {"radius_x": radius_x, "radius_y": radius_y, "contact_modulus": contact_modulus}
     if load is not None and approach is None:
@@ -125,10 +125,10 @@ class LineContact:
     """Hertz contact along a line (y), with the pressure p0 sqrt(1 - x^2/a^2).
 
     Attributes:
-        load_per_length: W [N/m].
+        load_per_length: load per length W [N/m].
         half_width: a = sqrt(4 W R/(pi E')) [m].
         peak_pressure: p0 = 2 W/(pi a) [Pa].
-        approach: W/(pi E') (1 + 2 ln(2 l/a)) with the reference distance l [m].
+        approach: W/(pi E') (1 + 2 ln(2 l/a)), with the reference distance l [m].
     """
 
     load_per_length: float
@@ -138,7 +138,7 @@ class LineContact:
 
 
 def approach_origin(radius: float, reference: float | None) -> float:
-    """Distance from which the approach of cylinders counts: as given, or 2 R/e."""
+    """Reference distance of the approach of cylinders [m]: the given one, or 2 R/e."""
     return 2.0 * number(radius, "radius") / math.e if reference is None else number(reference, "reference")
 
 
@@ -153,15 +153,15 @@ def line_contact(
     """Contact of cylinders (Hertz 1882; Johnson 1985, Eqs. 4.43-4.45 and 5.56).
 
     Args:
-        radius: R [m].
-        contact_modulus: E' [Pa].
-        load_per_length: [N/m], >= 0.
-        approach: instead of the load [m], >= 0.
-        reference: distance l of a line load at which its displacement counts as zero [m]; None: 2 R/e. More than half
-            the half-width of the contact.
+        radius: equivalent radius R [m].
+        contact_modulus: contact modulus E' [Pa].
+        load_per_length: load per length, >= 0 [N/m].
+        approach: approach instead of the load, >= 0 [m].
+        reference: distance l from a line load at which its displacement is set to zero [m]; None: 2 R/e. It must exceed
+            half the half-width of the contact.
 
     Raises:
-        InputError: a value is out of range, or not one of load_per_length and approach is given.
+        InputError: a value is out of range, or not exactly one of load_per_length and approach is given.
     """
     origin = approach_origin(radius, reference)
     bodies = {"radius": radius, "contact_modulus": contact_modulus}
@@ -182,19 +182,19 @@ def point_contact_stress(
     poisson_ratio: float,
     friction: float = 0.0,
 ) -> Array:
-    """Stress under a point contact (Huber 1904), also one that slides (Hamilton 1983).
+    """Stress under a point contact without friction (Huber 1904) or in sliding (Hamilton 1983).
 
     Args:
         x: points along x, from the contact's centre [m]; broadcast against y and z to the shape (...).
         y: points along y [m].
         z: depths [m], >= 0.
-        contact_radius: a [m].
-        peak_pressure: p0 [Pa].
+        contact_radius: contact radius a [m].
+        peak_pressure: peak pressure p0 [Pa].
         poisson_ratio: nu [-].
-        friction: shear on the body towards +x, over the pressure [-]; below 0 towards -x.
+        friction: shear on the body towards +x over the pressure; negative values act towards -x [-].
 
     Returns:
-        (6, ...) [Pa].
+        (6, ...) stress [Pa].
     """
     shape, (x, y, z) = points(x=x, y=y, z=z)
     require_below(z)
@@ -214,18 +214,18 @@ def line_contact_stress(
     poisson_ratio: float,
     friction: float = 0.0,
 ) -> Array:
-    """Stress under a line contact in plane strain, also one that slides (McEwen 1949; Johnson 1985, Eqs. 4.49, 7.8).
+    """Stress under a line contact in plane strain, at rest or sliding (McEwen 1949; Johnson 1985, Eqs. 4.49, 7.8).
 
     Args:
         x: points across the line, from its middle [m]; broadcast against z to the shape (...).
         z: depths [m], >= 0.
-        half_width: a [m].
-        peak_pressure: p0 [Pa].
+        half_width: half-width a of the contact [m].
+        peak_pressure: peak pressure p0 [Pa].
         poisson_ratio: nu [-].
-        friction: shear on the body towards +x, over the pressure [-]; below 0 towards -x.
+        friction: shear on the body towards +x over the pressure; negative values act towards -x [-].
 
     Returns:
-        (6, ...) [Pa].
+        (6, ...) stress [Pa].
     """
     shape, (x, z) = points(x=x, z=z)
     require_below(z)

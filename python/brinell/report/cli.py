@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 import matplotlib
 
-from brinell.commands import folder_of, tells_errors
+from brinell.commands import folder_of, reports_errors
 from brinell.report.page import write_report
 from brinell.results import open_run
 
@@ -18,7 +18,7 @@ __all__ = ["report"]
 @click.command()
 @click.argument("run", type=click.Path(path_type=Path), metavar="RUN")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="File; by default RUN/report.html.")
-@tells_errors
+@reports_errors
 def report(run: Path, output: Path | None) -> None:
     """Write a run, finished or not, as one HTML page that opens without a network."""
     matplotlib.use("Agg")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a reader should be wary of before the numbers of a run are used: the run's own warnings, as sentences."""
+"""Warnings of a run as sentences, for reports and notebooks."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["findings_of"]
 
 
 def findings_of(run: Run) -> list[str]:
-    """Sentences; none if all is well. Of a run that has not finished, what is known of its case."""
+    """Warnings as sentences, for an unfinished run those of its case; an empty list if there are none."""
     return [*_of_state(run), *(_sentence(warning.text) for warning in _warnings(run))]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What one looks for first: key results of each scenario, the energies, and what the run has cost."""
+"""Key results of each scenario, energies, and cost of a run, as text."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def _of_all_scenarios(history: History) -> Iterator[KeyNumber]:
 
 
 def energies_of(run: Run) -> list[Number]:
-    """What the work of the drive has turned into at the end, and what is missing."""
+    """Energies to which the work of the drive was converted at the end of the run, and the error of the balance."""
     last = {name: float(column[-1]) for name, column in run.history.items()}
     missing = last["work"] - sum(last[sink.column] for sink in sinks_of(run.history))
     values = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts a page together: collects what a run has, and fills the template."""
+"""Generation of the report page: collects the data of a run and fills the template."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def _symbols(label: str) -> Markup:
 
 
 def _content(run: Run) -> dict[str, Any]:
-    """All that the template names."""
+    """Values of all variables of the template."""
     # Reading plotly takes time that other commands should not spend.
     from plotly.offline import get_plotlyjs, get_plotlyjs_version
 

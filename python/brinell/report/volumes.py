@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the interactive pictures of a page show: surfaces and fields of the bodies, small enough to travel in it.
+"""Data of the interactive pictures of a report: surfaces and fields of the bodies, thinned to a suitable size.
 
 Volumes are cut down to where there is something to see, then, if they are still too large, to every second or third
 cell along their longest directions. Cells that are kept keep their values.

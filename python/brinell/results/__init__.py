@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads what ``brinell run`` wrote: one folder, or its file ``result.vtkhdf`` alone.
+"""Reads results of ``brinell run``: a folder, or its file ``result.vtkhdf`` alone.
 
-The format is docs/reference/results-format.md, version 3. All numbers are SI (`theta` in radians), depths into the
-body, stresses positive in tension, pressure in compression. Everything that is wrong with a result is one `RunError`
-that says where and what.
+docs/reference/results-format.md describes the format, version 3. All numbers are in SI units (`theta` in radians).
+Depths and displacements are positive into the body, stress is positive in tension, pressure in compression. A damaged
+result raises a `RunError` that says where the problem is.
 
     run = brinell.open("results/alpha9")                     # run.scenario: "tugging"
     run.history["F_X"] / run.critical.load
-    run.snapshot("aligned").lower.von_mises_stress           # one state, whole: NumPy arrays
-    run.field("lower", "von_mises_stress").sel(step=12, y=0.0, method="nearest").values   # all states, by coordinates
+    run.snapshot("aligned").lower.von_mises_stress           # all fields of one state, as NumPy arrays
+    run.field("lower", "von_mises_stress").sel(step=12, y=0.0, method="nearest").values   # one field of all states
 
     brinell.open("results/vickers").indents[0].hardness      # "indentation"
     brinell.open("results/raceway").passes[-1].rut_depth     # "rolling"; also .profile.residual_xx over .profile.depth
     brinell.open("results/fretted").cycles[-1].work          # "fretting"
 
-Modules: `opening`, `run` (the result; what only one scenario has is in `brinell.scenarios`), `history`, `result_file`
-(result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states).
+Modules: `opening`, `run` (the result; `brinell.scenarios` has the parts that are specific to a scenario), `history`,
+`result_file` (result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states).
 """
 
 from brinell.results.accuracy import Accuracy, RunWarning

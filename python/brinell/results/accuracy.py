@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a result tells of its own quality: warnings, and the accuracy of its numbers from a series of runs."""
+"""Quality of a result: warnings, and the accuracy of its numbers from a series of runs."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ __all__ = ["Accuracy", "RunWarning", "accuracy_of", "warnings_of"]
 
 @dataclass(frozen=True)
 class RunWarning:
-    """Something to look at before the numbers of a run are used."""
+    """A warning that should be checked before the numbers of a run are used."""
 
     key: str
-    """Stable, for programs: "coarse_contact"."""
+    """Stable identifier for programs, such as "coarse_contact"."""
     text: str
-    """For people."""
+    """Message for the user."""
 
     def __str__(self) -> str:
         return self.text
@@ -27,27 +27,27 @@ class RunWarning:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """How well one number of a result is known, by the Grid Convergence Index."""
+    """Discretisation error of one number of a result, by the Grid Convergence Index; values in the number's SI unit."""
 
     value: float
-    """With the finest cells."""
+    """Value with the finest cells."""
     low: float
-    """Lower end of the interval in which the limit of fine cells is to be expected."""
+    """Lower end of the interval in which the limit of fine cells is expected."""
     high: float
-    """Its upper end."""
+    """Upper end of this interval."""
     relative_error: float
-    """Half of it over the value; of a number near zero, over what is large for such a number."""
+    """Half the width of the interval over the value; for a number near zero, over a typical large value of it [-]."""
     order: float | None
-    """By which the differences fall with the size of the cells; None if they show none."""
+    """Observed order of convergence with the cell size [-]; None if the differences show none."""
     extrapolated: float | None
-    """Limit by Richardson's extrapolation; None without an order."""
+    """Limit by Richardson extrapolation; None without an order."""
 
 
 def warnings_of(summary: Mapping[str, Any] | None, place: str) -> list[RunWarning]:
-    """Those of a summary; none of an older one, which was not judged.
+    """Warnings of a summary; an empty list for older results, which were not checked.
 
     Raises:
-        RunError: they are damaged.
+        RunError: the warnings are damaged.
     """
     entries = (summary or {}).get("warnings", [])
     try:
@@ -57,7 +57,7 @@ def warnings_of(summary: Mapping[str, Any] | None, place: str) -> list[RunWarnin
 
 
 def accuracy_of(summary: Mapping[str, Any] | None, place: str) -> dict[str, Accuracy]:
-    """By the names of the numbers; empty without a series.
+    """Accuracy by name of the number; empty if no series of runs was computed.
 
     Raises:
         RunError: an entry is damaged.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One state of a run as datasets of pyvista, upright: the lower body below z = 0, the upper one above it."""
+"""One state of a run as pyvista datasets in one frame: the lower body below z = 0, the upper one above it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
 
     Raises:
         MissingExtraError: pyvista is not installed.
-        InputError: there is no such field, or nothing is stored of any that are asked for.
+        InputError: there is no such field, or none of the requested fields is stored.
     """
     try:
         import pyvista
@@ -69,13 +69,13 @@ _VOLUME = (
 
 
 def _of_surface(body: BodyFields, name: str) -> FloatArray:
-    """Empty if nothing is stored of it."""
+    """A surface field; an empty array if it is not stored."""
     values: FloatArray | None = getattr(body, name)
     return values if values is not None else np.empty(0)
 
 
 def _wanted(name: str, fields: Sequence[str] | None) -> bool:
-    """Whether a field is asked for, itself or as a component of a tensor."""
+    """Whether a field is requested, itself or as a component of a tensor."""
     return fields is None or name in fields or name.rpartition("_")[0] in (set(fields) & set(TENSORS))
 
 
@@ -97,13 +97,13 @@ def _volume_fields(body: BodyFields, fields: Sequence[str] | None) -> Iterator[t
 
 
 def _spacing(grid: BodyFields | ContactFields) -> tuple[float, float]:
-    """Of the cells along x and y [m]; that of a single row is not known, and only the look depends on it."""
+    """Cell sizes along x and y [m]; that of a single row is unknown and only affects how the row is drawn."""
     dx = grid.x[1] - grid.x[0] if len(grid.x) > 1 else 1.0
     return float(dx), float(grid.y[1] - grid.y[0] if len(grid.y) > 1 else dx)
 
 
 def _volume(pyvista: Any, body: BodyFields, left: float, arrays: dict[str, FloatArray], *, below: bool) -> Any:
-    """Cells with one value each; x runs fastest. The depth of the lower body points down."""
+    """Image data with one value per cell, x fastest; layers of the lower body are reversed as its depth points down."""
     dx, dy = _spacing(body)
     dz = 2.0 * float(body.z[0])
     nz, ny, nx = len(body.z), len(body.y), len(body.x)
@@ -118,7 +118,7 @@ def _volume(pyvista: Any, body: BodyFields, left: float, arrays: dict[str, Float
 
 
 def _sheet(pyvista: Any, corner: tuple[float, float], spacing: tuple[float, float], arrays: dict[str, Any]) -> Any:
-    """Points in the centres of the surface's cells, so that they can be warped."""
+    """Image data with points at the centres of the surface's cells, so that the sheet can be warped."""
     ny, nx = next(iter(arrays.values())).shape
     image = pyvista.ImageData(dimensions=(nx, ny, 1), spacing=(*spacing, 1.0), origin=(*corner, 0.0))
     for name, values in arrays.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The columns of the histories of all scenarios, as the core tells them, and which scenario a history is of."""
+"""Columns of the histories of all scenarios, as the engine defines them, and recognition of the scenario."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ INTEGER_COLUMNS: Mapping[Scenario, frozenset[str]] = MappingProxyType(
         for scenario in SCENARIOS
     }
 )
-"""Those that count or number something."""
+"""Columns with counts or numbers of steps, passes and so on."""
 
 COLUMN_UNITS: Mapping[Scenario, Mapping[str, str]] = MappingProxyType(
     {
@@ -75,14 +75,15 @@ COLUMN_UNITS: Mapping[Scenario, Mapping[str, str]] = MappingProxyType(
 
 
 def scenario_of(columns: Iterable[str]) -> Scenario:
-    """The scenario that a history with these columns belongs to.
+    """Scenario of a history with these columns.
 
     Raises:
-        RunError: none has all of its columns; the text names the likeliest one and what it lacks.
+        RunError: the columns of no scenario are complete; the text names the most likely scenario and the missing
+            columns.
     """
     present = set(columns)
     missing = {name: [c for c in HISTORY_COLUMNS[name] if c not in present] for name in SCENARIOS}
-    # The columns of one may be among those of another.
+    # The columns of one scenario may be a subset of those of another.
     likeliest: Scenario = min(missing, key=lambda name: (len(missing[name]), len(present - COLUMN_UNITS[name].keys())))
     if missing[likeliest]:
         raise RunError(f"the header is not that of a history (of {likeliest} without {', '.join(missing[likeliest])})")

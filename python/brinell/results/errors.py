@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The one error of this package, and the version of the format that it reads."""
+"""The error `RunError` of this package, and the version of the results format that it reads."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from brinell import _core
 from brinell.summary import RunError
 
-__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "tells_damage"]
+__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "reports_damage"]
 
 FORMAT_VERSION: int = _core.FORMAT_VERSION
 """Version of the results format that this package reads."""
@@ -21,12 +21,12 @@ def one_line(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def tells_damage(path: object, part: str = "it") -> Iterator[None]:
-    """Whatever h5py and NumPy raise of a file that is not as it was written becomes a `RunError` that names it.
+def reports_damage(path: object, part: str = "it") -> Iterator[None]:
+    """Converts exceptions of h5py and NumPy while a damaged file is read to a `RunError` that names the file.
 
     Args:
-        path: of the file.
-        part: what of it is read.
+        path: path of the file.
+        part: part of the file that is read.
     """
     try:
         yield

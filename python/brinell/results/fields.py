@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brinell._names import did_you_mean
-from brinell.results.errors import RunError, listed, tells_damage
+from brinell.results.errors import RunError, listed, reports_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
 from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of
@@ -27,7 +27,7 @@ Grid = tuple[FloatArray, ...]
 
 
 def field_names(path: Source, body: Body) -> list[str]:
-    """Names of what is stored of a body; none if it is rigid and carries no contact.
+    """Names of the stored fields of a body, for the lower body with those of the contact.
 
     Raises:
         RunError: there is no such body, or no state is stored.
@@ -39,13 +39,13 @@ def field_names(path: Source, body: Body) -> list[str]:
         if not states:
             raise RunError(f"{path}: no stored step; [output] of the case chooses them")
         group = file.group(next(iter(states.values())))
-        with tells_damage(path, str(group.name)):
+        with reports_damage(path, str(group.name)):
             of_contact = [one for one in CONTACT_FIELDS if one in group["contact"]] if body == "lower" else []
             return [*group[body], *of_contact]
 
 
 def labelled_field(path: Source, body: Body, name: str) -> Labelled:
-    """One field of a body in all stored states; see `Run.field`."""
+    """One field of a body in all stored states, as described in `Run.field`."""
     names = field_names(path, body)
     if name not in names:
         found = component_of(name)
@@ -55,8 +55,8 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
         raise RunError(f"{path}: the {body} body has no field {name!r}; {_alternatives(name, names)}")
     with ResultFile(path) as file:
         states = file.states()
-        last = file.group(list(states.values())[-1])  # grids only grow: its grid holds those of all states
-        with tells_damage(path, str(last.name)):
+        last = file.group(list(states.values())[-1])  # grids only grow, so the last one contains those of all states
+        with reports_damage(path, str(last.name)):
             data = _first_dataset(last, body, name)
             coords = _coords(last, body, name, data)
             units, long_name = str(data.attrs["units"]), str(data.attrs["long_name"])
@@ -69,7 +69,7 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
         with ResultFile(path) as opened:
 
             def at(step: int) -> FloatArray:
-                with tells_damage(path, f"/{groups[step]}"):
+                with reports_damage(path, f"/{groups[step]}"):
                     return part(opened.group(groups[step]), body, name, inside, grid)
 
             if isinstance(steps, int):
@@ -83,7 +83,7 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
 
 
 def _alternatives(name: str, names: Sequence[str]) -> str:
-    """What may be meant by a name that is none, and what there is."""
+    """Text with a suggestion for an unknown name and the names of the stored fields."""
     components = [f"{tensor}_{c}" for tensor in names if tensor in TENSORS for c in COMPONENTS]
     tensors = f"; components as {components[-len(COMPONENTS)]}" if components else ""
     return f"{did_you_mean(name, [*names, *components])}stored are {listed(names)}{tensors}"
@@ -97,7 +97,7 @@ def _first_dataset(state: h5py.Group, body: str, name: str) -> h5py.Dataset:
 
 
 def _coords(state: h5py.Group, body: str, name: str, data: h5py.Dataset) -> Mapping[str, NDArray[Any]]:
-    """Of all axes but the steps."""
+    """Coordinates along all axes except the steps."""
     group = state[body]
     shape = data.shape if name not in CONTACT_FIELDS else group["residual_displacement"].shape
     spacing, origin = group.attrs["spacing"], group.attrs["origin"]
@@ -110,7 +110,7 @@ def _coords(state: h5py.Group, body: str, name: str, data: h5py.Dataset) -> Mapp
 
 
 def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
-    """A part of an array. HDF5 reads ascending slices only: a descending one is turned round here."""
+    """Part of a dataset; HDF5 reads only ascending slices, so descending ones are reversed after reading."""
     shape = tuple(len(axis) for axis in taken if isinstance(axis, range))
     if 0 in shape:
         return np.empty(shape)
@@ -127,7 +127,7 @@ def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
 
 
 def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: Grid) -> h5py.Dataset | FloatArray:
-    """A field of a body on a grid that holds its own: beyond it nothing had yielded or worn, the rest is unknown."""
+    """Extends a field to a larger grid: outside, plastic strain and wear are zero, and other fields are NaN."""
     if data.shape == tuple(len(axis) for axis in grid):
         return data
     spacing, origin = state[body].attrs["spacing"], state[body].attrs["origin"]
@@ -153,7 +153,7 @@ def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, 
 
 
 def _part_of_contact(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
-    """The contact's grid takes cells of the lower body's surface; around it nothing acts and nothing slips."""
+    """Part of a contact field on the lower body's surface grid; outside the contact grid gaps are NaN, others 0."""
     surface, contact = state[body], state["contact"]
     values = np.asarray(contact[name][()], dtype=np.float64)
     origin = contact.attrs["origin"] + [surface.attrs["contact_x"], 0.0]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell._names import tell_old_name
+from brinell._names import warn_of_old_name
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
 from brinell.results.columns import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, scenario_of
@@ -27,22 +27,22 @@ if TYPE_CHECKING:
 __all__ = ["History", "read_history"]
 
 Column = NDArray[Any]
-"""Of floats; of integers if it counts."""
+"""Values of a column: floats, or integers if the column is a count or a number."""
 
 
 class History(dict[str, Column]):
-    """Columns of history.csv by name, SI, one value per step; see HISTORY_COLUMNS. Numbers of steps are integers.
+    """Columns of history.csv by name, in SI units, with one value per step; `HISTORY_COLUMNS` lists them.
 
-    Steps of several passes follow each other; `passes` takes them apart. A table for pandas: `to_pandas`, or
-    ``pandas.DataFrame(run.history)``.
+    Counts and numbers of steps are integers. The steps of several passes follow each other; `passes` separates them.
+    `to_pandas` or ``pandas.DataFrame(run.history)`` makes a table for pandas.
 
     Raises:
-        RunError: columns are missing, whatever the scenario.
+        RunError: the columns of no scenario are complete.
     """
 
     def __init__(self, columns: Mapping[str, Column]):
         self.scenario: Scenario = scenario_of(columns)
-        """Told by the columns."""
+        """Scenario, recognised by the columns."""
         counts = INTEGER_COLUMNS[self.scenario]
         super().__init__(
             {
@@ -53,7 +53,7 @@ class History(dict[str, Column]):
 
     def __missing__(self, name: str) -> Column:
         if name in OLD_COLUMNS:
-            tell_old_name(f"the column {name}", OLD_COLUMNS[name])
+            warn_of_old_name(f"the column {name}", OLD_COLUMNS[name])
             return self[OLD_COLUMNS[name]]
         raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}")
 
@@ -61,13 +61,13 @@ class History(dict[str, Column]):
         return type(self), (dict(self),)
 
     def _alternatives(self, name: str) -> str:
-        """Columns that may be meant by a name that is none."""
+        """Suggestions for an unknown column."""
         by_lower = {column.lower(): column for column in self}
         close = difflib.get_close_matches(name.lower(), by_lower)
         return f"close: {listed([by_lower[one] for one in close])}" if close else f"allowed: {listed(list(self))}"
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The same as a table of pandas: a row per step, by its number; the units are in `attrs["units"]`.
+        """The history as a pandas table with one row per step; the units are in `attrs["units"]`.
 
         Raises:
             MissingExtraError: pandas is not installed.
@@ -82,7 +82,7 @@ class History(dict[str, Column]):
 
     @property
     def units(self) -> Mapping[str, str]:
-        """Of each column; "1" for a pure number."""
+        """Unit of each column by name; "1" for a dimensionless column."""
         return COLUMN_UNITS[self.scenario]
 
     def _repr_html_(self) -> str:
@@ -94,34 +94,38 @@ class History(dict[str, Column]):
 
     @property
     def steps(self) -> int:
-        """Number of rows."""
+        """Number of steps, one row each."""
         return len(self["step"])
 
     @property
     def in_contact(self) -> NDArray[np.bool_]:
-        """Steps at which the bodies touch."""
+        """(steps,) true where the bodies touch."""
         return (self["contact_area"] > 0.0) & (self["F_n"] > 0.0)
 
     def passes(self) -> list[History]:
-        """One history per pass; in an indentation a pass is one cycle at one place."""
+        """Histories of the passes; in an indentation a pass is one cycle at one place."""
         return self.split("pass")
 
     def split(self, name: str) -> list[History]:
-        """One history per run of equal values of a column."""
+        """Splits the history wherever the value of a column changes.
+
+        Args:
+            name: name of the column.
+        """
         starts = np.flatnonzero(np.diff(self[name])) + 1
         bounds = [0, *starts.tolist(), self.steps]
         return [self.part(slice(a, b)) for a, b in itertools.pairwise(bounds)]
 
     def part(self, rows: slice) -> History:
-        """Some of the rows."""
+        """History of a slice of the rows."""
         return History({name: column[rows] for name, column in self.items()})
 
 
 def read_history(folder: Path) -> History:
-    """The history of a result folder.
+    """Reads the history of a result folder.
 
     Raises:
-        RunError: it is missing or damaged, or has no finished step.
+        RunError: history.csv is missing or damaged, or has no finished step.
     """
     path = folder / "history.csv"
     if not path.is_file():
@@ -130,7 +134,7 @@ def read_history(folder: Path) -> History:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise RunError(f"{path}: cannot be read ({error})") from error
-    # A run that was killed may leave half a row without its line end: the finished rows stay good.
+    # A killed run may leave an incomplete last row without its line end; the rows before are valid.
     lines = text[: text.rfind("\n") + 1].splitlines()
     names = lines[0].split(",") if lines else []
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays that know the names and coordinates of their axes, and read only what is asked for."""
+"""Arrays with named axes and coordinates, which read only the requested part from the file."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 __all__ = ["Labelled"]
 
 Axis = range | int
-"""What is taken of an axis: some indices, or one, and then the axis is gone."""
+"""Selection along an axis: a range of indices, or one index, which removes the axis."""
 
 
 @dataclass(frozen=True, eq=False)
 class Labelled:
-    """An array with named axes. Made by `Run.field`; values are read from the file when `values` is asked for.
+    """An array with named axes, made by `Run.field`. The values are read from the file when `values` is first used.
 
     Example:
         >>> stress = run.field("lower", "stress")                # step, component, z, y, x
@@ -36,16 +36,16 @@ class Labelled:
 
     name: str
     units: str
-    """"1" for a pure number."""
+    """SI unit; "1" for a dimensionless field."""
     long_name: str
     all_coords: Mapping[str, NDArray[Any]]
-    """Coordinates of the whole array, by axis in the order of the axes: numbers of the steps, metres, components."""
+    """Coordinates of the whole array by axis, in the order of the axes: step numbers, components, positions [m]."""
     read: Callable[[tuple[Axis, ...]], NDArray[np.float64]]
-    """Reads the part that is taken of each axis."""
+    """Function that reads a selection."""
     taken: tuple[Axis, ...]
-    """One per axis of the whole array."""
+    """Selection along each axis of the whole array."""
     owner: object = None
-    """Kept as long as this array: with a run that has no folder of its own its temporary one would go."""
+    """Object that must live as long as this array, such as a run whose temporary folder is deleted with it."""
 
     @property
     def dims(self) -> tuple[str, ...]:
@@ -59,7 +59,7 @@ class Labelled:
 
     @cached_property
     def coords(self) -> Mapping[str, NDArray[Any]]:
-        """Coordinates along each axis; of an axis that is gone, where it was cut."""
+        """Coordinates along each axis; for a removed axis the coordinate of the cut."""
         return MappingProxyType(
             {
                 dim: whole[np.asarray(axis)]
@@ -69,7 +69,7 @@ class Labelled:
 
     @cached_property
     def values(self) -> NDArray[np.float64]:
-        """The numbers."""
+        """Values of the selection, read from the file on first use."""
         return self.read(self.taken)
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
@@ -80,10 +80,10 @@ class Labelled:
         return f"<{self.name} ({axes}) [{self.units}]>"
 
     def isel(self, **indices: int | slice) -> Labelled:
-        """A part by indices along some axes.
+        """Selects a part by indices.
 
         Args:
-            indices: for an axis a number, which drops the axis, or a slice.
+            indices: by axis, an index, which removes the axis, or a slice.
 
         Raises:
             InputError: there is no such axis or index.
@@ -99,11 +99,11 @@ class Labelled:
         return replace(self, taken=tuple(taken.values()))
 
     def sel(self, *, method: str | None = None, **labels: float | str | slice) -> Labelled:
-        """A part by coordinates along some axes.
+        """Selects a part by coordinates.
 
         Args:
-            method: "nearest": the entry that is closest to a number; None: the one that is equal to it.
-            labels: for an axis a coordinate, which drops the axis, or a slice of coordinates, both ends included.
+            method: "nearest": the entry closest to a coordinate; None: the entry that is equal to it.
+            labels: by axis, a coordinate, which removes the axis, or a slice of coordinates, with both ends included.
 
         Raises:
             InputError: there is no such axis or coordinate.
@@ -132,7 +132,7 @@ class Labelled:
         return int(found[0])
 
     def to_xarray(self) -> xarray.DataArray:
-        """The same as an array of xarray, with units.
+        """The selection as an xarray array, with units.
 
         Raises:
             MissingExtraError: xarray is not installed.

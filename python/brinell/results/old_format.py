@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results of format version 2, which had other names and counted from 0: read as if they were written today.
+"""Conversion of results of format version 2, which had other names and counted from 0, to the present format.
 
 Version 2 called the evaluations of a step `iterations`, and counted passes, places and cycles from 0.
 """
@@ -22,31 +22,31 @@ __all__ = [
 ]
 
 OLD_VERSION = 2
-"""The version that is converted when it is read."""
+"""Older format version that is converted when a result is read."""
 
 OLD_COLUMNS: Mapping[str, str] = {"iterations": "evaluations"}
-"""Names of today by the old ones."""
+"""Present names of columns by the old ones."""
 
 _FROM_0 = ("pass", "place", "cycle")
-"""What counts from 1 today."""
+"""Columns that counted from 0 and now count from 1."""
 
 
 def has_old_columns(names: Collection[str]) -> bool:
-    """Whether a history.csv, which tells no version, is of the old format."""
+    """Whether a history.csv, which has no version number, has the old format."""
     return any(old in names and new not in names for old, new in OLD_COLUMNS.items())
 
 
 def columns_of_today(columns: Mapping[str, Any]) -> dict[str, Any]:
-    """Columns of a history, or a row of it, or an indent."""
+    """Converts the columns of a history, one of its rows, or an indent."""
     return {OLD_COLUMNS.get(name, name): value + 1 if name in _FROM_0 else value for name, value in columns.items()}
 
 
 def summary_of_today(summary: Mapping[str, Any], version: int) -> dict[str, Any]:
-    """A summary whose entries have the names of today. What is damaged stays as it is.
+    """Converts a summary; damaged entries are left unchanged.
 
     Args:
-        summary: of the old format.
-        version: of today's.
+        summary: summary in the old format.
+        version: number of the present format version.
     """
     converted = {**summary, "format_version": version}
     if isinstance(run := summary.get("run"), Mapping):
@@ -63,7 +63,7 @@ def summary_of_today(summary: Mapping[str, Any], version: int) -> dict[str, Any]
 
 
 def table_of_today(columns: Mapping[str, Any]) -> dict[str, Any]:
-    """Columns of the table of a sweep; those of one that was written today stay as they are."""
+    """Converts the columns of the table of a sweep; a table in the present format is unchanged."""
     if "run.iterations" not in columns:
         return dict(columns)
     found = {}
@@ -77,7 +77,7 @@ _KEYS: Mapping[str, str] = {
     "run.iterations": "run.evaluations",
     **{name.old_key: name.key for name in _core.old_names() if "[]" not in name.key},
 }
-"""Dotted names of today by the old ones."""
+"""Present dotted keys by the old ones."""
 
 
 def _is_counted(indent: object) -> bool:
@@ -85,7 +85,7 @@ def _is_counted(indent: object) -> bool:
 
 
 def case_of_today(case: Mapping[str, Any]) -> dict[str, Any]:
-    """A case as nested tables, with the keys of today."""
+    """Converts a case, given as nested tables, to the present keys."""
     converted = dict(case)
     if isinstance(solver := case.get("solver"), Mapping):
         converted["solver"] = {_KEYS.get(f"solver.{key}", key).removeprefix("solver."): solver[key] for key in solver}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How a result is opened, and what is checked of it before anything is read."""
+"""Opening of results, with the checks before anything is read."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from brinell.results.run import Run
 from brinell.scenarios import Scenario
 from brinell.summary import summary_place, unfinished
 
-__all__ = ["kept_of", "open_run", "run_of_image"]
+__all__ = ["kept_results", "open_run", "run_of_image"]
 
 
 def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
-    """Opens a result: reads the history and the summary; fields are read when asked for.
+    """Opens a result. History and summary are read at once, fields only when they are used.
 
     Args:
-        path: the folder that `brinell run -o` wrote, or its file result.vtkhdf alone.
-        allow_unfinished: also accept a run that is still going or was stopped; its summary is then None. A file alone
-            knows the history up to the last stored step.
+        path: folder of a result of `brinell run -o`, or its file result.vtkhdf alone.
+        allow_unfinished: also accept a run that is still running or was stopped; its summary is then None. The file
+            alone then has the history only up to the last stored step.
 
     Raises:
-        RunError: no such folder or file, something is missing or damaged, or the run has not finished.
+        RunError: the folder or file does not exist, is incomplete or damaged, or the run has not finished.
     """
     path = Path(path)
     if not path.exists():
@@ -44,15 +44,15 @@ def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
     return run
 
 
-def kept_of(folder: Path) -> str:
-    """What a run that was stopped has left in its folder, and how to go on with it; empty if that is nothing.
+def kept_results(folder: Path) -> str:
+    """Message about the results that a stopped run has left, and how to resume it; empty if there are none.
 
     Args:
-        folder: of the run; of a series for an accuracy, the one that holds all of them.
+        folder: folder of the run, or of the whole series of runs for an accuracy.
     """
-    goes_on = "the same call with resume = True goes on"
+    how_to_resume = "the same call with resume = True goes on"
     if (folder / "accuracy").is_dir():
-        return f"the runs for the accuracy so far are kept in {folder}: {goes_on}"
+        return f"the runs for the accuracy so far are kept in {folder}: {how_to_resume}"
     try:
         steps = open_run(folder, allow_unfinished=True).history.steps
     except RunError:
@@ -60,11 +60,11 @@ def kept_of(folder: Path) -> str:
     if steps == 0:
         return ""
     which = "the first step is" if steps == 1 else f"the first {steps} steps are"
-    return f"{which} kept in {folder}: {goes_on}, brinell.open with allow_unfinished = True reads them"
+    return f"{which} kept in {folder}: {how_to_resume}, brinell.open with allow_unfinished = True reads them"
 
 
 def run_of_image(image: bytes) -> Run:
-    """The result whose file has these bytes."""
+    """Result of a run in memory, from the bytes of its result file."""
     memory = MemoryFile(image)
     with ResultFile(memory) as file:
         history, summary = file.history(), file.text("summary")
@@ -73,7 +73,7 @@ def run_of_image(image: bytes) -> Run:
 
 
 def _require_all_steps(run: Run) -> None:
-    """Raises RunError if the history of a complete run is not whole."""
+    """Raises RunError if rows are missing in the history of a complete run."""
     steps = run._number("run", "steps")
     if not np.array_equal(run.history["step"], np.arange(steps)):
         folder = run.path.is_dir()

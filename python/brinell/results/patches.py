@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The patches of a contact in stored states."""
+"""Contact patches of stored states."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ _PERIODIC_ALONG = {"open": "", "periodic_x": "x", "periodic_y": "y", "periodic":
 
 
 def patches_of(contact: ContactFields, cell: tuple[float, float], boundary: str, contact_modulus: float) -> Patches:
-    """Those of one state.
+    """Contact patches of one state.
 
     Args:
-        contact: its fields.
-        cell: sizes dx, dy of its cells [m].
-        boundary: grid.boundary of the case.
-        contact_modulus: E' of the pair [Pa].
+        contact: contact fields of the state.
+        cell: cell sizes dx, dy [m].
+        boundary: value of grid.boundary of the case.
+        contact_modulus: contact modulus E' of the pair [Pa].
     """
     along = _PERIODIC_ALONG[boundary]
     ends = tuple("periodic" if axis in along else "open" for axis in "xy")

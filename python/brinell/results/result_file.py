@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""result.vtkhdf: the file that holds all of a run."""
+"""result.vtkhdf: the file with all results of a run."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, tells_damage
+from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, reports_damage
 from brinell.results.history import History
 from brinell.results.old_format import OLD_VERSION, columns_of_today
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
@@ -23,52 +23,52 @@ __all__ = ["FILE_NAME", "MemoryFile", "ResultFile", "Source"]
 FloatArray = NDArray[np.float64]
 
 FILE_NAME = "result.vtkhdf"
-"""In the folder of a run."""
+"""Name of the result file in the folder of a run."""
 
 
 class MemoryFile:
-    """The bytes of a result file that is on no disk."""
+    """Content of a result file that exists only in memory."""
 
     def __init__(self, image: bytes):
         self.image = image
 
     @cached_property
     def opened(self) -> h5py.File:
-        """Stays open."""
+        """The opened file; it stays open as long as this object."""
         return h5py.File(h5py.h5f.open_file_image(self.image))
 
     def __getstate__(self) -> dict[str, bytes]:
-        return {"image": self.image}  # what is pickled: not the open file
+        return {"image": self.image}  # the open file cannot be pickled
 
     def __str__(self) -> str:
         return "result in memory"
 
 
 Source: TypeAlias = Path | MemoryFile
-"""Where a result is read from."""
+"""Source of a result: a file on disk or in memory."""
 
 
 @dataclass(frozen=True)
 class _Components:
-    """Reads components of the tensors of a state."""
+    """Function object that reads components of the tensors of a state."""
 
     path: Source
     state: str
     owner: object
 
     def __call__(self, body: str, tensor: str, component: str) -> FloatArray:
-        with ResultFile(self.path) as file, tells_damage(self.path, f"/{self.state}/{body}/{tensor}"):
+        with ResultFile(self.path) as file, reports_damage(self.path, f"/{self.state}/{body}/{tensor}"):
             return np.asarray(file.group(self.state)[body][tensor][component][()], dtype=np.float64)
 
 
 class ResultFile:
-    """An open result.vtkhdf; to be used in a with statement.
+    """An open result.vtkhdf, for use in a with statement.
 
     Args:
-        path: of the file, or one in memory.
+        path: path of the file, or a file in memory.
 
     Raises:
-        RunError: it is missing, not HDF5, not a result, or of another version.
+        RunError: the file is missing, not HDF5, not a result of brinell, or has another format version.
     """
 
     def __init__(self, path: Source):
@@ -84,7 +84,7 @@ class ResultFile:
         except OSError as error:
             raise RunError(f"{path}: not a readable HDF5 file ({one_line(error)})") from error
         try:
-            with tells_damage(path, "its description"):
+            with reports_damage(path, "its description"):
                 self._require_format()
         except RunError:
             self._file.close()
@@ -106,17 +106,17 @@ class ResultFile:
             self._file.close()
 
     def text(self, name: str) -> str | None:
-        """A text in the file: "case", the resolved case, "sources" or "summary"; None if it is not there."""
-        with tells_damage(self.path, f"/{name}"):
+        """A text in the file: "case" (the resolved case), "sources" or "summary"; None if it is missing."""
+        with reports_damage(self.path, f"/{name}"):
             return str(self._file[name].asstr()[()]) if name in self._file else None
 
     def history(self) -> History:
-        """The rows up to the last stored step; all of them in a complete run.
+        """The history up to the last stored step; the whole history of a complete run.
 
         Raises:
-            RunError: no step is finished, or it is damaged.
+            RunError: no step is finished, or the history is damaged.
         """
-        with tells_damage(self.path, "/history"):
+        with reports_damage(self.path, "/history"):
             columns = {name: np.asarray(column[()], dtype=np.float64) for name, column in self._file["history"].items()}
             if len({column.shape for column in columns.values()}) > 1 or any(c.ndim != 1 for c in columns.values()):
                 raise ValueError("columns of different lengths")
@@ -129,13 +129,13 @@ class ResultFile:
 
     def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order."""
-        with tells_damage(self.path, "/steps"):
+        with reports_damage(self.path, "/steps"):
             return sorted(int(name) for name in self._file["steps"]) if "steps" in self._file else []
 
     def states(self) -> dict[int, str]:
-        """Names of the groups with fields, by step; the final state comes last, by the number after the last step."""
+        """Names of the groups with fields by step; the final state is last and has the number after the last step."""
         groups = {step: self._step_name(step) for step in self.steps()}
-        with tells_damage(self.path, "/final"):
+        with reports_damage(self.path, "/final"):
             if "final" in self._file:
                 groups[int(self.group("final").attrs["step"]) + 1] = "final"
         return groups
@@ -144,13 +144,13 @@ class ResultFile:
         """Fields at one step; see `Run.snapshot`.
 
         Args:
-            which: of the states.
-            scenario: of the run.
-            owner: kept as long as the snapshot, which reads components of tensors from the file when asked for them.
+            which: the state.
+            scenario: scenario of the run.
+            owner: object that must live as long as the snapshot, which reads tensor components from the file on demand.
         """
         name = self._group_name(which, scenario)
         group = self.group(name)
-        with tells_damage(self.path, f"/{name}"):
+        with reports_damage(self.path, f"/{name}"):
             components = _Components(self.path, name, owner)
             return snapshot_of(group, self._row(group), components, scenario, is_final=which == "final")
 
@@ -160,7 +160,7 @@ class ResultFile:
         return columns_of_today(row) if self._is_old else row
 
     def group(self, name: str) -> h5py.Group:
-        """A step; while the run has not finished it is a link to a file in snapshots/."""
+        """HDF5 group of a state; until the run has finished it is a link to a file in snapshots/."""
         try:
             group = self._file[name]
         except (KeyError, OSError, RuntimeError) as error:
@@ -189,7 +189,7 @@ class ResultFile:
         names = [self._step_name(step) for step in self.steps()]
         if not names:
             raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
-        with tells_damage(self.path, "/steps"):
+        with reports_damage(self.path, "/steps"):
             rows = {name: self._row(self.group(name)) for name in names}
             distance = SCENARIOS[scenario].distance_from_middle
             return min(names, key=lambda name: (rows[name]["pass"], distance(rows[name])))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A result: its history, its summary (`brinell.summary`), and the way to its fields."""
+"""The result of a run: history, summary (`brinell.summary`) and access to the fields."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ __all__ = ["Run"]
 
 @dataclass(frozen=True, eq=False)
 class Run(OfScenarios):
-    """One result. Made by `brinell.open`."""
+    """The result of one run, made by `brinell.open` or `Case.run`."""
 
     @property
     def file(self) -> Source:
@@ -41,12 +41,12 @@ class Run(OfScenarios):
 
     @cached_property
     def title(self) -> str:
-        """From the case; empty if it has none."""
+        """Title of the case; empty if it has none."""
         if self.summary is not None:
             return str(self.summary.get("title", ""))
         try:
             return str(tomllib.loads(self.case_text).get("title", ""))
-        except (RunError, tomllib.TOMLDecodeError):  # an unfinished run may not have come to write its case
+        except (RunError, tomllib.TOMLDecodeError):  # an unfinished run may not have written its case yet
             return ""
 
     def __repr__(self) -> str:
@@ -55,8 +55,8 @@ class Run(OfScenarios):
         return f"<brinell.Run {self.scenario} {self.title!r} {self.history.steps} steps, {state}, {place}>"
 
     def _repr_html_(self) -> str:
-        """For notebooks: the key numbers, and what to be wary of."""
-        from brinell.report.findings import findings_of  # these modules know this one
+        """HTML for notebooks: the key numbers and the warnings."""
+        from brinell.report.findings import findings_of  # these modules import this one
         from brinell.report.numbers import key_numbers
 
         facts = [(number.name, number.value, number.normalised) for number in key_numbers(self)]
@@ -65,15 +65,15 @@ class Run(OfScenarios):
 
     @cached_property
     def warnings(self) -> list[RunWarning]:
-        """What to be wary of before the numbers are used; decided by the engine, none if all is well or unfinished."""
+        """Warnings of the engine about the result; empty if there are none or the run has not finished."""
         return warnings_of(self.summary, summary_place(self.path))
 
     @property
     def resolution(self) -> Mapping[str, Any]:
-        """Cells per contact radius, layers of the plastic zone and the errors to be expected: `summary["resolution"]`.
+        """Cells per contact radius, layers of the plastic zone and expected errors: `summary["resolution"]`.
 
         Raises:
-            RunError: the run has not finished, or an older program has written it.
+            RunError: the run has not finished, or it was written by an older version.
         """
         resolution = self._value("resolution")
         if not isinstance(resolution, Mapping):
@@ -82,7 +82,7 @@ class Run(OfScenarios):
 
     @cached_property
     def accuracy(self) -> dict[str, Accuracy]:
-        """How well each number of the summary is known, by its name; empty unless the run was asked for an accuracy.
+        """Accuracy of each number of the summary by name; empty if the run was computed without `accuracy`.
 
         `run.accuracy["forces.peak_F_X_N"].low`
         """
@@ -90,7 +90,11 @@ class Run(OfScenarios):
 
     @cached_property
     def case_text(self) -> str:
-        """The case as computed, as the text of a case file, SI."""
+        """The computed case as the text of a case file, in SI units.
+
+        Raises:
+            RunError: the file is missing or damaged, or has no case.
+        """
         with ResultFile(self.file) as file:
             text = file.text("case")
         if text is None:
@@ -99,18 +103,18 @@ class Run(OfScenarios):
 
     @cached_property
     def sources(self) -> list[str]:
-        """Brinell and the papers behind the models of the case, as ``brinell cite`` tells them."""
+        """References to cite: brinell and the papers behind the models of the case, as printed by ``brinell cite``."""
         with ResultFile(self.file) as file:
             return (file.text("sources") or "").splitlines()
 
     @property
     def steps(self) -> list[int]:
-        """Numbers of the steps whose fields are stored, in order; the final state comes beside them."""
+        """Numbers of the steps whose fields are stored, in order; the final state is stored in addition."""
         with ResultFile(self.file) as file:
             return file.steps()
 
     def field_names(self, body: Literal["lower", "upper"]) -> list[str]:
-        """What `field` knows of a body; empty if it is rigid.
+        """Names of the stored fields of a body, which `field` accepts.
 
         Raises:
             RunError: there is no such body, or no state is stored.
@@ -118,17 +122,18 @@ class Run(OfScenarios):
         return field_names(self.file, body)
 
     def field(self, body: Literal["lower", "upper"], name: str) -> Labelled:
-        """One field in all stored states, with named axes; read when its values are asked for.
+        """One field in all stored states, with named axes; the values are read when they are first used.
 
         Args:
-            body: whose grid it is on.
-            name: a field of `BodyFields`, or a component of a tensor, as "stress_xx"; of `ContactFields`, as
-                "pressure", "gap" and, where surfaces stick and slip, "shear_x" or "slip_path": they lie on the lower
-                body's surface (around the contact's grid the gap is NaN, all others 0).
+            body: body on whose grid the field is.
+            name: a field of `BodyFields`, or a component of a tensor such as "stress_xx"; for the lower body also a
+                field of `ContactFields`, such as "pressure", "gap" and, with stick and slip, "shear_x" or "slip_path".
+                Contact fields are given on the lower body's surface; outside the contact grid the gap is NaN and all
+                others are 0.
 
         Returns:
-            The axes are step, component (of a tensor), z (of a volume), y, x. The final state has the number after the
-            last step, as in ParaView.
+            Array with the axes step, component (of a tensor), z (of a volume), y, x. The final state has the number
+            after the last step, as in ParaView.
 
         Raises:
             RunError: there is no such body or field, or the file is damaged.
@@ -139,11 +144,11 @@ class Run(OfScenarios):
         """Fields at one step.
 
         Args:
-            which: number of a stored step; "aligned", the stored step of the first pass nearest to the middle (X = 0 or
-                x = 0), in an indentation the one under the largest load, in fretting that at the first turn; or
-                "final", the state after the last step, over the entire track.
-            tensors: read all components of plastic strain and stress at once; otherwise each one when it is asked
-                for, as in `snapshot.lower.stress["xx"]`.
+            which: number of a stored step; "aligned": the stored step of the first pass nearest to the middle (X = 0 or
+                x = 0), in an indentation the one with the largest load, in fretting the first turning point; "final":
+                the state after the last step, over the entire track.
+            tensors: read all components of plastic strain and stress at once. Otherwise each component is read when it
+                is first used, as in `snapshot.lower.stress["xx"]`.
 
         Raises:
             RunError: there is no such step, or the file is damaged.
@@ -157,10 +162,10 @@ class Run(OfScenarios):
         return snapshot
 
     def patches(self, which: int | Literal["aligned", "final"] = "aligned") -> Patches:
-        """The patches of the contact at one step: the cells that hang together, with area and load.
+        """Contact patches at one step, connected sets of cells under pressure, with area and load.
 
         Args:
-            which: as in `snapshot`.
+            which: state, as in `snapshot`.
 
         Raises:
             RunError: there is no such step, the run has not finished, or the file is damaged.
@@ -172,9 +177,9 @@ class Run(OfScenarios):
 
     @cached_property
     def patch_history(self) -> dict[int, Patches]:
-        """The patches of all stored steps, by the number of the step.
+        """Contact patches of all stored steps, by step number.
 
-        How many there were in each step, and the area of the largest one, stand in the history of a sliding:
+        In sliding, the history has the number of patches and the area of the largest one for every step:
         `history["patches"]`, `history["largest_patch"]`.
         """
         return {step: self.patches(step) for step in self.steps}
@@ -182,24 +187,25 @@ class Run(OfScenarios):
     def to_pyvista(
         self, which: int | Literal["aligned", "final"] = "aligned", *, fields: Sequence[str] | None = None
     ) -> pyvista.MultiBlock:
-        """One state as datasets of pyvista, upright: the lower body lies below z = 0, the upper one above it.
+        """One state as pyvista datasets in one frame, with the lower body below z = 0 and the upper one above it.
 
-        While the bodies touch, x counts from the centre of contact, as in the figures; afterwards as on each body.
+        While the bodies touch, x is measured from the centre of contact, as in the figures; otherwise it is the
+        coordinate on each body.
 
         Args:
-            which: as in `snapshot`.
-            fields: names as in `field`, such as "stress_xx"; all if None, which reads much of a large run.
+            which: state, as in `snapshot`.
+            fields: names as in `field`, such as "stress_xx"; None: all fields, which reads much data of a large run.
 
         Returns:
-            The blocks "lower_volume" and "upper_volume", of cells; "lower_surface" and "upper_surface", sheets of
-            points with the residual displacement, which warp_by_scalar raises (by a negative factor that of the lower
-            body: the displacement is into the body); and "contact", a sheet with what is stored of it, as pressure and
-            gap, if they touch. What is not stored, as of a rigid body, is left out. Components of tensors are those of
-            each body's own axes, with z into it.
+            Blocks "lower_volume" and "upper_volume" with cell data; "lower_surface" and "upper_surface", sheets of
+            points with surface fields such as the residual displacement, which can be warped by warp_by_scalar (with a
+            negative factor for the lower body, because the displacement is positive into the body); and, if the bodies
+            touch, "contact", a sheet with the stored contact fields. Blocks without stored fields, such as those of a
+            rigid body, are left out. Tensor components refer to each body's own axes, with z into the body.
 
         Raises:
             RunError: there is no such step, or the file is damaged.
-            InputError: there is no such field.
+            InputError: there is no such field, or none of the requested fields is stored.
             MissingExtraError: pyvista is not installed.
         """
         return blocks_of(self.snapshot(which), fields)

@@ -37,28 +37,27 @@ COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 _OF_FRICTION = ("shear_x", "shear_y", "slip_x", "slip_y", "slip_path", "friction_heat")
 _OF_HEAT = ("temperature_lower", "temperature_upper", "heat_flux_lower", "heat_flux_upper")
 CONTACT_FIELDS = ("pressure", "gap", *_OF_FRICTION, *_OF_HEAT)
-"""Fields of the contact, which lie on the surface of the lower body; those after the gap only where surfaces stick and
-slip, or friction heats."""
+"""Fields of the contact, on the surface of the lower body; those after the gap exist only with friction or heat."""
 
 TENSORS = ("plastic_strain", "stress")
-"""Fields of six components."""
+"""Tensor fields with six components."""
 
 
 def component_of(name: str) -> tuple[str, str] | None:
-    """Tensor and component that a name such as "stress_xx" means; None if it means none."""
+    """Tensor and component of a name such as "stress_xx"; None for any other name."""
     tensor, _, component = name.rpartition("_")
     return (tensor, component) if tensor in TENSORS and component in COMPONENTS else None
 
 
 class TensorField(Mapping[str, FloatArray]):
-    """The components of a tensor by name, "xx" to "xy": arrays [z][y][x], each read when it is first asked for."""
+    """Components of a tensor by name, "xx" to "xy": (nz, ny, nx) arrays, each read when it is first used."""
 
     def __init__(self, name: str, read: Callable[[str], FloatArray] | None):
-        """Describes where they come from.
+        """Makes the mapping without reading any component.
 
         Args:
             name: "stress" or "plastic_strain".
-            read: gives a component; None if the run has not stored them.
+            read: function that reads a component; None if the tensor is not stored.
         """
         self._name = name
         self._read = read
@@ -88,36 +87,36 @@ class TensorField(Mapping[str, FloatArray]):
 
 @dataclass(frozen=True, eq=False)
 class ContactFields:
-    """Surface of contact in the local frame that moves with it; cell centres, arrays [y][x]."""
+    """Contact fields in the frame that moves with the contact, at cell centres; (ny, nx) arrays."""
 
     x: FloatArray
-    """Along the motion, 0 at the centre of contact [m]."""
+    """(nx,) coordinates along the motion, 0 at the centre of contact [m]."""
     y: FloatArray
-    """Across [m]."""
+    """(ny,) coordinates across the motion [m]."""
     pressure: FloatArray
-    """Positive in compression [Pa]."""
+    """Contact pressure, positive in compression [Pa]."""
     gap: FloatArray
-    """Zero in contact [m]."""
+    """Gap between the deformed surfaces, zero in contact [m]."""
     shear_x: FloatArray | None = None
-    """On the lower body along x [Pa]; this and what follows is None if the run has not stored it."""
+    """Shear on the lower body along x [Pa]. This and the following fields are None if they are not stored."""
     shear_y: FloatArray | None = None
-    """On the lower body along y [Pa]."""
+    """Shear on the lower body along y [Pa]."""
     slip_x: FloatArray | None = None
-    """Of the upper surface over the lower one since the start, along x [m]."""
+    """Slip along x of the upper surface relative to the lower one since the start [m]."""
     slip_y: FloatArray | None = None
-    """The same along y [m]."""
+    """Slip along y since the start [m]."""
     slip_path: FloatArray | None = None
-    """Length of the way slipped since the start [m]."""
+    """Length of the slip path since the start [m]."""
     friction_heat: FloatArray | None = None
-    """Heat of friction since the start [J/m^2]."""
+    """Energy dissipated by friction per area since the start [J/m^2]."""
     temperature_lower: FloatArray | None = None
-    """Of the lower surface [deg C]."""
+    """Temperature of the lower surface [deg C]."""
     temperature_upper: FloatArray | None = None
-    """Of the upper surface [deg C]."""
+    """Temperature of the upper surface [deg C]."""
     heat_flux_lower: FloatArray | None = None
-    """Into the lower body, in this step [W/m^2]."""
+    """Heat flux into the lower body in this step [W/m^2]."""
     heat_flux_upper: FloatArray | None = None
-    """Into the upper body, in this step [W/m^2]."""
+    """Heat flux into the upper body in this step [W/m^2]."""
 
     def __repr__(self) -> str:
         return f"<ContactFields {cells(self.pressure.shape)}>"
@@ -125,36 +124,37 @@ class ContactFields:
 
 @dataclass(frozen=True, eq=False)
 class BodyFields:
-    """One body on its own material grid; cell centres, arrays [z][y][x] or [y][x]. All are empty if it is rigid."""
+    """Fields of one body on its own grid, at cell centres; (nz, ny, nx) or (ny, nx) arrays, empty for a rigid body."""
 
     x: FloatArray
-    """Along the surface; 0 where it is touched at alignment, in the middle of the track or at place 0 [m]."""
+    """(nx,) coordinates along the surface [m]; 0 at the point of contact at alignment, in the middle of the track or at
+    place 0."""
     y: FloatArray
-    """Across [m]."""
+    """(ny,) coordinates across [m]."""
     z: FloatArray
-    """Depth into this body, > 0 [m]."""
+    """(nz,) depths into this body, > 0 [m]."""
     contact_x: float
-    """Where on this body the centre of contact is now [m]."""
+    """Present position of the centre of contact on this body [m]."""
     residual_displacement: FloatArray
-    """Of the surface, into the body positive [m]; zero if the body is elastic."""
+    """(ny, nx) residual displacement of the surface, positive into the body [m]; zero for an elastic body."""
     equivalent_plastic_strain: FloatArray
-    """[-]; zero if the body is elastic."""
+    """(nz, ny, nx) equivalent plastic strain [-]; zero for an elastic body."""
     von_mises_stress: FloatArray | None
-    """Of contact pressure and plastic strain together [Pa]; None if the run did not store it."""
+    """(nz, ny, nx) von Mises stress of contact pressure and plastic strain together [Pa]; None if it is not stored."""
     worn_depth: FloatArray | None = None
-    """That the surface has lost by wear since the start [m]; None without wear. A rigid body has it, too."""
+    """(ny, nx) depth removed by wear since the start [m]; None without wear. It also exists for rigid bodies."""
     temperature: FloatArray | None = None
-    """[deg C]; None if friction does not heat the body, or its temperature is not known below the surface."""
+    """(nz, ny, nx) temperature [deg C]; None if friction does not heat the body, or it is known at the surface only."""
     height: FloatArray | None = None
-    """Of the surface as it is now, with its texture, out of the body positive [m]; None of a smooth rigid body, and in
-    results of older versions."""
+    """(ny, nx) present height of the surface with its texture, positive out of the body [m]; None for a smooth rigid
+    body, and in results of older versions."""
     plastic_strain: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("plastic_strain", None))
-    """By component, "xx" to "xy" [-]; read when asked for; empty if not stored."""
+    """(nz, ny, nx) plastic strain by component, "xx" to "xy" [-]; read on first use; empty if it is not stored."""
     stress: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("stress", None))
-    """By component, positive in tension [Pa]; read when asked for; empty if not stored."""
+    """(nz, ny, nx) stress by component, positive in tension [Pa]; read on first use; empty if it is not stored."""
 
     def __getitem__(self, name: str) -> FloatArray:
-        """A field by the name that figures, `Run.field` and the result file have for it, as "stress_xx"."""
+        """A field by the name used in figures, in `Run.field` and in the result file, such as "stress_xx"."""
         if found := component_of(name):
             tensor: Mapping[str, FloatArray] = getattr(self, found[0])
             return tensor[found[1]]
@@ -168,7 +168,7 @@ class BodyFields:
 
     @property
     def height_before(self) -> FloatArray | None:
-        """Of the surface before the first load, its texture [m]; None where `height` is."""
+        """(ny, nx) height of the surface before the first load, its texture [m]; None if `height` is None."""
         if self.height is None:
             return None
         before = self.height if self.is_rigid else self.height + self.residual_displacement
@@ -176,7 +176,7 @@ class BodyFields:
 
     @property
     def is_rigid(self) -> bool:
-        """Whether nothing is stored of this body, because it does not deform."""
+        """Whether the body is rigid, so that it has no stored displacement and strain."""
         return self.residual_displacement.size == 0
 
     def __repr__(self) -> str:
@@ -189,9 +189,9 @@ class Snapshot:
 
     scenario: Scenario
     row: Mapping[str, float]
-    """The step's row of the history, SI: `snapshot.row["F_n"]`."""
+    """The step's row of the history in SI units: `snapshot.row["F_n"]`."""
     is_final: bool
-    """State after the last step, over the entire track."""
+    """Whether this is the state after the last step, over the entire track."""
     contact: ContactFields
     lower: BodyFields
     upper: BodyFields
@@ -202,12 +202,12 @@ class Snapshot:
 
     @property
     def step(self) -> int:
-        """Number of the step, from 0: its row of the history."""
+        """Number of the step, from 0, which is its row of the history."""
         return int(self.row["step"])
 
     @property
     def pass_(self) -> int:
-        """Counts from 1."""
+        """Number of the pass, from 1."""
         return int(self.row["pass"])
 
     @property
@@ -224,11 +224,11 @@ _SCALARS = (
     "von_mises_stress",
     "temperature",
 )
-"""Fields of a body that are no tensors."""
+"""Scalar fields of a body."""
 
 
 def row_of(group: h5py.Group) -> dict[str, float]:
-    """A step's row of the history."""
+    """Row of the history of a step, from the attributes of its group."""
     return {name: float(value) for name, value in group.attrs.items()}
 
 
@@ -237,23 +237,23 @@ def _axis(origin: float, spacing: float, count: int) -> FloatArray:
 
 
 ReadComponent = Callable[[str, str, str], FloatArray]
-"""Of a body ("lower"), a tensor ("stress") and a component ("xx")."""
+"""Function that reads a field by body ("lower"), tensor ("stress") and component ("xx")."""
 
 
 def snapshot_of(
     group: h5py.Group, row: Mapping[str, float], read: ReadComponent, scenario: Scenario, *, is_final: bool
 ) -> Snapshot:
-    """The fields in a group of the file.
+    """Reads the fields of a state.
 
     Args:
-        group: of the state.
-        row: of the history, of its step.
-        read: gives components of tensors later, when the file is closed.
-        scenario: of the run.
-        is_final: whether it is the state after the last step.
+        group: HDF5 group of the state.
+        row: row of the history of its step.
+        read: function that reads tensor components later, when this file is closed.
+        scenario: scenario of the run.
+        is_final: whether this is the state after the last step.
 
     Raises:
-        KeyError, OSError, ValueError and others of h5py: it is damaged.
+        KeyError, OSError, ValueError and others of h5py: the file is damaged.
     """
     return Snapshot(
         scenario=scenario,
@@ -312,7 +312,7 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
 
 
 def _shape(volume: FloatArray | None, surface: FloatArray | None) -> tuple[int, int, int]:
-    """Cells [nz, ny, nx] of a body, as far as any field of it is stored."""
+    """Number of cells (nz, ny, nx) of a body, from the stored fields; zeros if none is stored."""
     if volume is not None:
         nz, ny, nx = volume.shape
         return nz, ny, nx

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenarios as Python classes: each makes a `Case`.
+"""The scenarios as Python classes; each of them is a `Case`.
 
     steel = brinell.Material("210 GPa", 0.3, brinell.Linear("600 MPa", "2 GPa"))
     ball = brinell.Body(brinell.Sphere("10 um"), steel)
     run = brinell.Tugging(lower=ball, upper=ball, interference=4).run(progress=True)
 
-What is None is left to the case file's defaults, as docs/reference/case-file.md has them.
+Arguments that are None take the defaults of the case file (docs/reference/case-file.md).
 """
 
-# A module for each scenario holds all that Python knows of it alone. This one lists them; nothing else names them.
+# Each scenario has a module with everything specific to it. Only this module lists the scenarios.
 
 from collections.abc import Mapping
 from typing import Literal
@@ -29,7 +29,7 @@ Scenario = Literal["tugging", "indentation", "rolling", "fretting", "sliding"]
 SCENARIOS: Mapping[Scenario, Traits] = {
     one.name: one for one in (tugging.TRAITS, indentation.TRAITS, rolling.TRAITS, fretting.TRAITS, sliding.TRAITS)
 }
-"""What is known of each, in the order of the case file."""
+"""Traits of each scenario, in the order of the case file."""
 
 
 class OfScenarios(
@@ -39,4 +39,4 @@ class OfScenarios(
     fretting.FrettingResult,
     sliding.SlidingResult,
 ):
-    """What a result has that only one scenario has."""
+    """Results that are specific to one scenario; base class of `Run`."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the classes of all scenarios share: a case whose text is made of arguments."""
+"""Base class of the scenario classes: a case whose text is generated from Python arguments."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["ScenarioCase"]
 
 
 class ScenarioCase(Case):
-    """A case whose text is made of arguments."""
+    """A case whose text is generated from Python arguments."""
 
     _table: str
     _parts: ClassVar[dict[str, type]] = {
@@ -63,5 +63,5 @@ class ScenarioCase(Case):
             maps: HeightMaps = {}
             text = tomli_w.dumps(plain(values, maps))
             super().__init__(text, file=Path(f"{self._table}.toml"), names_lines=False, maps=maps)
-        except InputError as error:  # the keys of the scenario's own table are arguments
+        except InputError as error:  # the keys of the scenario's own table are arguments here
             raise type(error)(in_arguments(str(error), self._table)) from None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fretting: all that Python knows of it alone."""
+"""The scenario fretting: case class, results, key numbers and figures."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ __all__ = ["TRAITS", "Fretting", "FrettingCycle", "FrettingResult"]
 
 
 class Fretting(ScenarioCase):
-    """The upper body, pressed on the lower one, moves to and fro along it, so little that it sticks in places."""
+    """The upper body is pressed on the lower one and oscillates tangentially with a small amplitude (partial slip)."""
 
     _table = "fretting"
 
@@ -45,28 +45,28 @@ class Fretting(ScenarioCase):
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
     ):
-        """Describes a fretting; one of load and approach is given, and one of displacement and force.
+        """Makes a case; exactly one of load and approach, and one of displacement and force is given.
 
         Args:
             lower: the body at rest.
-            upper: the body that is pressed on it and moved to and fro.
-            load: reached first, and kept then.
-            approach: instead of a load.
-            displacement: amplitude by which distant points of the upper body move past those of the lower one: to it,
-                to its opposite and back to the middle in each cycle.
-            force: instead, amplitude of the force along the surface; less than friction times load.
-            direction: of the motion, from x towards y, in degrees or with a unit, "1.2 rad".
-            cycles: how often the upper body goes to and fro.
-            steps_per_cycle: a multiple of 4.
-            press_steps: in which load or approach is reached.
+            upper: the body that is pressed on the lower one and oscillates.
+            load: normal load, which is applied first and then kept constant [N].
+            approach: approach that is kept constant, instead of a load [m].
+            displacement: amplitude of the displacement of distant points of the upper body relative to those of the
+                lower one [m]. Each cycle goes from the middle to the amplitude, to its negative and back to the middle.
+            force: amplitude of the tangential force, instead of a displacement [N]; less than friction times load.
+            direction: direction of the motion, angle from x towards y, in degrees or with a unit, "1.2 rad".
+            cycles: number of cycles.
+            steps_per_cycle: number of steps per cycle, a multiple of 4.
+            press_steps: number of steps in which load or approach is applied.
             interface: friction, `brinell.Interface` or a dictionary.
-            title: copied into the results.
-            grid: its cells, `brinell.Grid` or a dictionary.
-            solver: `brinell.Solver` or a dictionary.
-            output: what is stored, `brinell.Output` or a dictionary.
+            title: title of the case, copied into the results.
+            grid: grid settings, `brinell.Grid` or a dictionary.
+            solver: solver settings, `brinell.Solver` or a dictionary.
+            output: stored results, `brinell.Output` or a dictionary.
 
         Raises:
-            InputError: with all problems found.
+            InputError: the case is invalid; the message lists all problems found.
         """
         table = {
             "load": load,
@@ -83,34 +83,38 @@ class Fretting(ScenarioCase):
 
 @dataclass(frozen=True)
 class FrettingCycle:
-    """One cycle, from the middle over both turns back to the middle."""
+    """Results of one cycle, from the middle through both turning points back to the middle."""
 
     cycle: int
-    """Which one; counts from 1."""
+    """Number of the cycle, from 1."""
     work: float
-    """Of the force along the surface: the area of the loop [J]."""
+    """Work of the tangential force, the area of the hysteresis loop [J]."""
     dissipation_friction: float
-    """Heat of friction in this cycle [J]."""
+    """Energy dissipated by friction in this cycle [J]."""
     dissipation_plastic: float
     """Plastic work in both bodies in this cycle [J]."""
     max_force: float
-    """Largest size of the force along the surface [N]."""
+    """Largest magnitude of the tangential force [N]."""
     max_displacement: float
-    """Largest size of the displacement [m]."""
+    """Largest magnitude of the displacement [m]."""
     slip_amplitude: float
-    """A quarter of the way slipped in this cycle, where that grows longest [m]."""
+    """A quarter of the largest local slip path of this cycle [m]."""
     stick_share: float
-    """Smallest share of the contact that sticks [-]."""
+    """Smallest fraction of the contact area that sticks [-]."""
     max_equivalent_plastic_strain: float
-    """Largest over both bodies, at the end of the cycle [-]."""
+    """Largest equivalent plastic strain of both bodies at the end of the cycle [-]."""
 
 
 class FrettingResult(RunSummary):
-    """What only a fretting has in its summary."""
+    """Summary results that are specific to fretting."""
 
     @cached_property
     def cycles(self) -> list[FrettingCycle]:
-        """Of a fretting, those that are complete, in the order of time."""
+        """Results of each complete cycle of a fretting run, in order of time.
+
+        Raises:
+            RunError: the run has another scenario, is unfinished, or its summary is damaged.
+        """
         return self._entries_of("fretting", "cycles", FrettingCycle)
 
 

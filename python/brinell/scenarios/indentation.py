@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Indentation: all that Python knows of it alone."""
+"""The scenario indentation: case class, results, key numbers and figures."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ __all__ = ["TRAITS", "Indent", "Indentation", "IndentationResult"]
 
 
 class Indentation(ScenarioCase):
-    """The upper body is pressed into the lower one and lifted off again, at one place or at several."""
+    """The upper body is pressed into the lower one and lifted off again, at one place or several."""
 
     _table = "indentation"
 
@@ -45,26 +45,27 @@ class Indentation(ScenarioCase):
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
     ):
-        """Describes an indentation.
+        """Makes a case; exactly one of load, approach, pressure and mean_gap is given.
 
         Args:
             lower: the body that is indented.
             upper: the indenter.
-            load: loads to be reached one after the other, from none: ["10 N", 0] presses and lifts off.
-            approach: instead, approaches of the bodies from the touch of the undeformed ones.
-            pressure: instead, means over the period of a grid that is periodic along both axes.
-            mean_gap: instead, means of the gap over that period: the smaller, the more they are pressed.
-            normalised: whether loads or approaches are in their values at first yield, P_c and alpha_c.
-            steps: from one entry of the list to the next.
-            cycles: how often the list is gone through at each place.
-            places: along x, indented one after the other.
-            title: copied into the results.
-            grid: its cells, `brinell.Grid` or a dictionary.
-            solver: `brinell.Solver` or a dictionary.
-            output: what is stored, `brinell.Output` or a dictionary.
+            load: normal loads that are reached one after the other, starting from zero [N]: ["10 N", 0] loads and
+                unloads.
+            approach: approaches of the bodies from first touch of the undeformed bodies, instead of loads [m].
+            pressure: mean pressures over the period instead of loads, on a grid that is periodic along both axes [Pa].
+            mean_gap: mean gaps over that period instead of loads [m]; a smaller gap means a higher load.
+            normalised: whether loads or approaches are given relative to their values at first yield, P_c and alpha_c.
+            steps: number of steps from one entry of the list to the next.
+            cycles: number of times the list is repeated at each place.
+            places: coordinates along x at which the body is indented one after the other [m].
+            title: title of the case, copied into the results.
+            grid: grid settings, `brinell.Grid` or a dictionary.
+            solver: solver settings, `brinell.Solver` or a dictionary.
+            output: stored results, `brinell.Output` or a dictionary.
 
         Raises:
-            InputError: with all problems found.
+            InputError: the case is invalid; the message lists all problems found.
         """
         table = {
             "load": load,
@@ -81,48 +82,53 @@ class Indentation(ScenarioCase):
 
 @dataclass(frozen=True)
 class Indent:
-    """One loading and unloading at one place: read at the largest load, and where the contact opens."""
+    """Results of one loading and unloading at one place, at the largest load and where the contact opens."""
 
     place: int
-    """Which of the places of the case; counts from 1."""
+    """Number of the place in the case, from 1."""
     cycle: int
-    """Of the loads at this place; counts from 1."""
+    """Number of the loading cycle at this place, from 1."""
     x: float
-    """Where the indenter's apex is on the lower body [m]."""
+    """Coordinate of the indenter's apex on the lower body [m]."""
     max_load: float
-    """[N]."""
+    """Largest load [N]."""
     max_approach: float
-    """Approach at that load, from first touch of the undeformed bodies [m]."""
+    """Approach at the largest load, from first touch of the undeformed bodies [m]."""
     contact_area: float
-    """Projected, at that load [m^2]."""
+    """Projected contact area at the largest load [m^2]."""
     hardness: float
-    """Largest load over that area [Pa]."""
+    """Largest load over the projected contact area [Pa]."""
     loading_stiffness: float
-    """Slope of load over approach on the way to the largest load [N/m]."""
+    """Slope of load over approach during loading, at the largest load [N/m]."""
     unloading_stiffness: float
-    """Slope on the way back from it [N/m]; 0 without unloading."""
+    """Slope of load over approach at the beginning of unloading [N/m]; 0 without unloading."""
     final_approach: float
-    """Approach at which the contact opens [m]; NaN if it does not."""
+    """Approach at which the contact opens [m]; NaN if it does not open."""
     residual_depth: float
-    """Largest residual displacement of the lower body then, into the body positive [m]."""
+    """Largest residual displacement of the lower body after unloading, positive into the body [m]."""
     pile_up: float
-    """Largest height of its residual surface then, outwards positive [m]."""
+    """Largest height of the lower body's residual surface after unloading, positive outwards [m]."""
     work: float
     """Net work of the drive in this indent [J]."""
     contact_fraction: float = math.nan
-    """Contact area over that of the period, at the largest load; NaN unless both axes are periodic [-]."""
+    """Contact area over the area of the period at the largest load [-]; NaN unless both axes are periodic."""
     mean_gap: float = math.nan
-    """Mean gap over the period then [m]; NaN unless both axes are periodic."""
+    """Mean gap over the period at the largest load [m]; NaN unless both axes are periodic."""
     contact_stiffness: float = math.nan
-    """Elastic, nominal pressure over mean gap as they change, then [Pa/m]; NaN unless both axes are periodic."""
+    """Elastic stiffness at the largest load, change of nominal pressure over change of mean gap [Pa/m]; NaN unless both
+    axes are periodic."""
 
 
 class IndentationResult(RunSummary):
-    """What only an indentation has in its summary."""
+    """Summary results that are specific to indentation."""
 
     @cached_property
     def indents(self) -> list[Indent]:
-        """Of an indentation, in the order of time: place by place, cycle by cycle."""
+        """Results of each indent of an indentation run, in order of time: place by place, cycle by cycle.
+
+        Raises:
+            RunError: the run has another scenario, is unfinished, or its summary is damaged.
+        """
         return self._entries_of("indentation", "indents", Indent)
 
 

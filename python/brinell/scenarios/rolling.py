@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rolling: all that Python knows of it alone."""
+"""The scenario rolling: case class, results, key numbers and figures."""
 
 from __future__ import annotations
 
@@ -50,34 +50,34 @@ class Rolling(ScenarioCase):
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
     ):
-        """Describes a rolling; one of load, hertz_pressure and approach is given.
+        """Makes a case; exactly one of load, hertz_pressure and approach is given.
 
         Args:
             lower: the body that is rolled over.
-            upper: the body that rolls.
-            distance: length of the track on the lower body.
-            load: kept while rolling.
-            hertz_pressure: the load by the peak pressure that it would have in elastic contact.
-            approach: kept while rolling, instead of a load.
-            passes: how often the track is rolled over.
-            slide_to_roll: difference over mean of the speeds of both surfaces; 0: pure rolling. With friction the
-                surfaces slide everywhere.
-            creepage: longitudinal and lateral, or the first of them, relative speed of the upper surface over the mean
-                speed, or text as "0.2 %"; with friction the surfaces stick and slip.
-            spin: turn of the upper body past the lower one about the normal of the contact per distance rolled, in
-                rad/m or with a unit, "0.5 rad/mm"; likewise with stick and slip.
-            shift: by which the contact moves on the lower body per step.
-            load_steps: in which the upper body is pressed on before a pass and lifted off after it.
-            speed: of the contact over the lower body, such as "1 m/s"; needed where friction heats.
+            upper: the rolling body.
+            distance: length of the track on the lower body [m].
+            load: normal load, constant during rolling [N].
+            hertz_pressure: peak pressure of the elastic contact that defines the load [Pa].
+            approach: approach, constant during rolling, instead of a load [m].
+            passes: number of passes over the track.
+            slide_to_roll: slide-to-roll ratio, difference over mean of the surface speeds [-]; 0: pure rolling. With
+                friction the surfaces slide everywhere.
+            creepage: longitudinal and lateral creepage, or the longitudinal one alone: relative speed of the upper
+                surface over the mean speed [-], or text such as "0.2 %"; with friction the surfaces stick and slip.
+            spin: rotation of the upper body relative to the lower one about the contact normal per distance rolled
+                [rad/m], or with a unit, "0.5 rad/mm"; with friction the surfaces stick and slip.
+            shift: distance by which the contact moves on the lower body per step [m].
+            load_steps: number of steps in which the load is applied before a pass, and removed after it.
+            speed: speed of the contact over the lower body, such as "1 m/s"; required if friction heats the bodies.
             interface: friction, `brinell.Interface` or a dictionary.
-            thermal: what its heat does, `brinell.Heating` or a dictionary.
-            title: copied into the results.
-            grid: its cells, `brinell.Grid` or a dictionary.
-            solver: `brinell.Solver` or a dictionary.
-            output: what is stored, `brinell.Output` or a dictionary.
+            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
+            title: title of the case, copied into the results.
+            grid: grid settings, `brinell.Grid` or a dictionary.
+            solver: solver settings, `brinell.Solver` or a dictionary.
+            output: stored results, `brinell.Output` or a dictionary.
 
         Raises:
-            InputError: with all problems found.
+            InputError: the case is invalid; the message lists all problems found.
         """
         table = {
             "distance": distance,
@@ -107,81 +107,90 @@ class Rolling(ScenarioCase):
 
 @dataclass(frozen=True)
 class RollingPass:
-    """What one pass has left, under the middle of the track."""
+    """Results of one pass, under and around the middle of the track."""
 
     pass_: int
-    """Which one; counts from 1."""
+    """Number of the pass, from 1."""
     rut_depth: float
-    """Residual displacement of the lower body at x = y = 0, into the body positive [m]."""
+    """Residual displacement of the lower body at x = y = 0, positive into the body [m]."""
     shoulder_height: float
-    """Largest height of its residual surface in the section x = 0, outwards positive [m]."""
+    """Largest height of the lower body's residual surface in the section x = 0, positive outwards [m]."""
     max_equivalent_plastic_strain: float
-    """Largest over both bodies [-]."""
+    """Largest equivalent plastic strain of both bodies [-]."""
     track_plastic_strain: float
     """Largest equivalent plastic strain of the lower body under x = y = 0 [-]."""
     track_plastic_increment: float
-    """Largest growth of it in this pass [-]."""
+    """Largest increment of the equivalent plastic strain under x = y = 0 in this pass [-]."""
     dissipation: float
     """Plastic work in both bodies in this pass [J]."""
     resistance: float
-    """Energy that both bodies take up, dissipated and locked in, per length over the middle half of the track [N]."""
+    """Energy dissipated and locked in by both bodies per length, over the middle half of the track [N]."""
     max_pressure: float
-    """Mean over the same of the largest pressure [Pa]."""
+    """Largest pressure, averaged over the middle half of the track [Pa]."""
     steady: bool = False
-    """Whether the resistance was the same all along: then it does not depend on the length of the track."""
+    """Whether the resistance is steady, so that it does not depend on the length of the track."""
     unsteadiness: float = math.nan
-    """Difference of it between the two quarters of the middle half, over the larger of them; steady up to 0.1 [-]."""
+    """Difference of the resistance between the two quarters of the middle half, over the larger of them [-]; the
+    resistance counts as steady up to 0.1."""
     mean_F_X: float = math.nan
     """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
     friction: float = math.nan
-    """Mean F_X over mean F_n over the same [-]."""
+    """Mean F_X over mean F_n in the middle half of the track [-]."""
     contact_area: float = math.nan
-    """Mean over the same [m^2]."""
+    """Contact area, averaged over the middle half of the track [m^2]."""
     F_x: float = math.nan
-    """Mean over the last quarter of the track of the force on the lower body along x, by the shear between the surfaces
-    [N]."""
+    """Force of the shear on the lower body along x, averaged over the last quarter of the track [N]."""
     F_y: float = math.nan
-    """Mean over the same of that along y [N]."""
+    """Force of the shear on the lower body along y, averaged over the last quarter of the track [N]."""
     M_z: float = math.nan
-    """Mean over the same of the moment of that shear about the normal of the contact, from x to y [N m]."""
+    """Moment of the shear about the contact normal, positive from x to y, averaged over the last quarter [N m]."""
     stick_share: float = math.nan
-    """Mean over the same of the share of the contact that sticks; 0 without creepage [-]."""
+    """Fraction of the contact area that sticks, averaged over the last quarter of the track; 0 without creepage [-]."""
     creep_steady: bool = False
-    """Whether these forces were the same all along: then they are those of steady rolling."""
+    """Whether the forces of the shear are steady, so that they are those of steady rolling."""
     creep_unsteadiness: float = math.nan
-    """Difference of the force between both halves of that quarter, over the larger of them; steady up to 0.01 [-]."""
+    """Difference of the force between both halves of the last quarter, over the larger of them [-]; the force counts as
+    steady up to 0.01."""
 
 
 @dataclass(frozen=True, eq=False)
 class TrackProfile:
-    """Under x = y = 0 of the lower body after the last pass, unloaded; one value per layer of cells."""
+    """Depth profiles in the lower body under x = y = 0 after the last pass, unloaded; (nz,) values, one per layer."""
 
     depth: FloatArray
-    """Of the layers' centres, > 0 [m]."""
+    """Depths of the middles of the layers, > 0 [m]."""
     residual_xx: FloatArray
     """Residual stress along the motion, positive in tension [Pa]."""
     residual_yy: FloatArray
-    """Residual stress across it, positive in tension [Pa]."""
+    """Residual stress across the motion, positive in tension [Pa]."""
     equivalent_plastic_strain: FloatArray
-    """[-]."""
+    """Equivalent plastic strain [-]."""
 
 
 class RollingResult(RunSummary):
-    """What only a rolling has in its summary."""
+    """Summary results that are specific to rolling."""
 
     @cached_property
     def passes(self) -> list[RollingPass]:
-        """Of a rolling, in the order of time."""
+        """Results of each pass of a rolling run, in order of time.
+
+        Raises:
+            RunError: the run has another scenario, is unfinished, or its summary is damaged.
+        """
         return self._entries_of("rolling", "passes", RollingPass)
 
     @cached_property
     def profile(self) -> TrackProfile:
-        """What rolling has left in the depth under the middle of the track."""
+        """Residual stress and plastic strain over the depth under the middle of the track.
+
+        Raises:
+            RunError: the run has another scenario, is unfinished, or its summary is damaged.
+        """
         return self._entry_of("rolling", "profile", TrackProfile)
 
 
 def _creeps(run: Run) -> bool:
-    """Whether the surfaces stick and slip."""
+    """Whether the case has creepage or spin, so that the surfaces stick and slip."""
     return run.case("rolling", "creepage") is not None or run.case("rolling", "spin") is not None
 
 

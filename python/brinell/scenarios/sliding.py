@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sliding: all that Python knows of it alone."""
+"""The scenario sliding: case class, results, key numbers and figures."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ __all__ = ["TRAITS", "Sliding", "SlidingResult", "SlidingStroke"]
 
 
 class Sliding(ScenarioCase):
-    """The upper body, pressed on the lower one, slides over it along x: once, on and on, or to and fro."""
+    """The upper body is pressed on the lower one and slides over it along x, in one or several or reversing strokes."""
 
     _table = "sliding"
 
@@ -49,30 +49,32 @@ class Sliding(ScenarioCase):
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
     ):
-        """Describes a sliding; one of load, pressure, mean_gap and approach is given.
+        """Makes a case; exactly one of load, pressure, mean_gap and approach is given.
 
         Args:
-            lower: the body at rest: a `Flat`, with a texture or without.
-            upper: the body that slides: a `Flat` too, on a grid that is periodic along both axes; or a ball, a roller.
-            distance: by which it slides in each stroke.
-            load: reached first, and kept while sliding.
-            pressure: the load by its mean over the period.
-            mean_gap: instead, the mean over the period of the gap between the deformed surfaces.
-            approach: instead of a load; peaks that stand out and meet on the way do so below 0, too.
-            strokes: how often it slides by the distance.
-            to_and_fro: whether every other stroke goes back; otherwise each goes on where the one before has ended.
-            shift: by which it slides in a step.
-            press_steps: in which the bodies are pressed together before, and parted after it.
-            speed: of the upper body over the lower one, such as "1 m/s"; needed where friction heats.
+            lower: the body at rest: a `Flat`, with or without a texture.
+            upper: the sliding body: also a `Flat`, on a grid that is periodic along both axes, or a ball or roller.
+            distance: sliding distance of each stroke [m].
+            load: normal load, which is applied first and kept constant while sliding [N].
+            pressure: mean pressure over the period that defines the load [Pa].
+            mean_gap: mean gap over the period between the deformed surfaces, instead of a load [m].
+            approach: approach, instead of a load [m]; it may be negative if high peaks meet during sliding.
+            strokes: number of strokes.
+            to_and_fro: whether every other stroke goes back; otherwise each stroke continues where the previous one
+                ended.
+            shift: sliding distance of a step [m].
+            press_steps: number of steps in which the bodies are pressed together before, and separated after sliding.
+            speed: speed of the upper body relative to the lower one, such as "1 m/s"; required if friction heats the
+                bodies.
             interface: friction, `brinell.Interface` or a dictionary.
-            thermal: what its heat does, `brinell.Heating` or a dictionary.
-            title: copied into the results.
-            grid: its cells, `brinell.Grid` or a dictionary.
-            solver: `brinell.Solver` or a dictionary.
-            output: what is stored, `brinell.Output` or a dictionary.
+            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
+            title: title of the case, copied into the results.
+            grid: grid settings, `brinell.Grid` or a dictionary.
+            solver: solver settings, `brinell.Solver` or a dictionary.
+            output: stored results, `brinell.Output` or a dictionary.
 
         Raises:
-            InputError: with all problems found.
+            InputError: the case is invalid; the message lists all problems found.
         """
         table = {
             "load": load,
@@ -101,64 +103,68 @@ class Sliding(ScenarioCase):
 
 @dataclass(frozen=True)
 class SlidingStroke:
-    """Means over the way of one stroke, and what it leaves."""
+    """Averages over one stroke, and the state of the surfaces at its end."""
 
     stroke: int
-    """Which one; counts from 1."""
+    """Number of the stroke, from 1."""
     friction: float
     """Mean F_X over mean F_n [-]."""
     friction_ploughing: float
-    """Of it, by the slopes of both surfaces [-]."""
+    """Part of `friction` from pressure on the slopes of both surfaces (ploughing) [-]."""
     friction_interfacial: float
-    """Of it, by the shear between them [-]."""
+    """Part of `friction` from the shear between the surfaces [-]."""
     mean_F_X: float
-    """[N]."""
+    """Mean F_X [N]."""
     contact_area: float
-    """Mean [m^2]."""
+    """Mean contact area [m^2]."""
     max_pressure: float
-    """Mean of the largest pressure [Pa]."""
+    """Mean over the stroke of the largest pressure [Pa]."""
     dissipation_plastic: float
     """Plastic work in both bodies in this stroke [J]."""
     dissipation_friction: float
-    """Heat of friction in this stroke [J]."""
+    """Energy dissipated by friction in this stroke [J]."""
     max_equivalent_plastic_strain: float
-    """Largest over both bodies, at its end [-]."""
+    """Largest equivalent plastic strain of both bodies at the end of the stroke [-]."""
     rms_height_lower: float
-    """Sq of the lower surface at its end: texture and residual displacement, over its grid [m]."""
+    """Sq of the lower surface (texture and residual displacement, over its grid) at the end of the stroke [m]."""
     rms_height_upper: float
-    """Of the upper surface [m]."""
+    """Sq of the upper surface at the end of the stroke [m]."""
     mean_height_lower: float
-    """Sa of the lower surface [m]."""
+    """Sa of the lower surface at the end of the stroke [m]."""
     mean_height_upper: float
-    """Of the upper surface [m]."""
+    """Sa of the upper surface at the end of the stroke [m]."""
     contact_fraction: float = math.nan
-    """Mean contact area over that of the period; NaN unless both axes are periodic [-]."""
+    """Mean contact area over the area of the period [-]; NaN unless both axes are periodic."""
     mean_gap: float = math.nan
-    """Mean over the period and the stroke [m]; NaN unless both axes are periodic."""
+    """Gap averaged over the period and the stroke [m]; NaN unless both axes are periodic."""
     patches: float = math.nan
-    """Mean number of patches of the contact [-]."""
+    """Mean number of contact patches [-]."""
     largest_patch: float = math.nan
     """Mean area of the largest patch [m^2]."""
     core_height_lower: float = math.nan
-    """Sk of the lower surface at its end, of the core of the bearing-area curve [m]."""
+    """Sk of the lower surface, the core height of the bearing-area curve, at the end of the stroke [m]."""
     core_height_upper: float = math.nan
-    """Of the upper surface [m]."""
+    """Sk of the upper surface at the end of the stroke [m]."""
     peak_height_lower: float = math.nan
-    """Spk of the lower surface: reduced height of the peaks above the core [m]."""
+    """Spk of the lower surface, the reduced peak height, at the end of the stroke [m]."""
     peak_height_upper: float = math.nan
-    """Of the upper surface [m]."""
+    """Spk of the upper surface at the end of the stroke [m]."""
     valley_depth_lower: float = math.nan
-    """Svk of the lower surface: reduced depth of the valleys below the core [m]."""
+    """Svk of the lower surface, the reduced valley depth, at the end of the stroke [m]."""
     valley_depth_upper: float = math.nan
-    """Of the upper surface [m]."""
+    """Svk of the upper surface at the end of the stroke [m]."""
 
 
 class SlidingResult(RunSummary):
-    """What only a sliding has in its summary."""
+    """Summary results that are specific to sliding."""
 
     @cached_property
     def strokes(self) -> list[SlidingStroke]:
-        """Of a sliding, those that are complete, in the order of time."""
+        """Results of each complete stroke of a sliding run, in order of time.
+
+        Raises:
+            RunError: the run has another scenario, is unfinished, or its summary is damaged.
+        """
         return self._entries_of("sliding", "strokes", SlidingStroke)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What figures and reports ask of a scenario; its own module has the answers."""
+"""Properties of a scenario that figures and reports need; each scenario's module defines its own."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-if TYPE_CHECKING:  # what draws is imported by the functions that draw, and all of this knows the scenarios
+if TYPE_CHECKING:  # plotting is imported only by the functions that draw, and these modules import the scenarios
     from matplotlib.figure import Figure
 
     from brinell.plot.history import Panel
@@ -19,15 +19,15 @@ __all__ = ["Drawing", "Drawings", "KeyNumber", "Traits"]
 
 @dataclass(frozen=True)
 class KeyNumber:
-    """A result that one looks for first."""
+    """One of the most important results of a run."""
 
     name: str
     value: float
-    """SI; an integer is shown with all its digits."""
+    """Value in SI units; an integer is shown with all digits."""
     unit: str = ""
-    """"%" for a share of one."""
+    """SI unit; "%" for a fraction that is shown in per cent."""
     over: Literal["load", "interference", "energy", "peak_pressure"] | None = None
-    """The value at first yield that it is compared with."""
+    """Value at first yield with which the result is compared; None: none."""
     digits: int = 3
 
 
@@ -36,48 +36,49 @@ class Drawing:
     """A figure of one run of a scenario, or of several."""
 
     draw: Callable[[Sequence[Run]], Figure | None]
-    """None: the runs have nothing to draw there."""
+    """Function that draws the figure; it returns None if the runs lack the data."""
     caption: str = ""
-    """A sentence or two, for readers who see it and for those who cannot; empty: it does not suit a run by itself."""
+    """One or two sentences, also used as alternative text; empty if the figure does not suit a single run."""
 
 
 @dataclass(frozen=True)
 class Drawings:
-    """The figures that only one scenario has: a command of ``brinell plot``, and the first ones of a report."""
+    """Figures that are specific to one scenario: a command of ``brinell plot``, and the first figures of a report."""
 
     command: str
     help: str
     figures: Mapping[str, Drawing]
-    """By file name."""
+    """Figures by file name."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Traits:
-    """What is known of a scenario besides its keys, its columns and its lists, which the core tells."""
+    """Properties of a scenario besides its keys, columns and lists, which the engine provides."""
 
     name: Scenario
     motion: str | None
-    """Column with the place of the contact, 0 in the middle; None: it rests, and what is `largest` counts instead."""
+    """Column with the position of the contact, 0 in the middle; None: the contact does not move."""
     largest: str = "F_n"
-    """Where the contact rests, the column whose largest value tells the state that one looks at first."""
+    """For a contact that does not move: column whose largest value selects the state that is shown first."""
     continuous: bool = False
-    """Whether a pass goes on where the one before has ended, so that the figure of the history draws one line."""
+    """Whether a pass continues where the previous one ended, so that the figure of the history draws one line."""
     abscissa: str | None = None
-    """Column, a length in which the contact never rests, that figures of the history have below; None: the steps."""
+    """Column with a length that changes in every step, for the abscissa of the history; None: step numbers."""
     key_numbers: Callable[[Run], Iterator[KeyNumber]]
-    """Also of a run that has not finished."""
+    """Function that returns the key numbers of a run, also of an unfinished one."""
     panels: Callable[[], tuple[Panel, Panel]]
-    """The first two of the figure of the history."""
+    """Function that returns the first two panels of the figure of the history."""
     drawings: Callable[[], Drawings] | None = None
-    """None: it has no figures of its own."""
+    """Function that returns the figures of the scenario; None: there are none."""
     state_text: Callable[[Run, Snapshot], list[str]] | None = None
-    """What tells one state from another in titles; None: pass, place and load."""
+    """Function that describes a state in titles; None: pass, place and load."""
 
     def distance_from_middle(self, row: Mapping[str, float]) -> float:
-        """How far a step is from the one that "aligned" stands for: smallest for the nearest.
+        """Measure by which the stored step for "aligned" is chosen; the step with the smallest value is taken.
 
         Args:
-            row: the step's row of the history. Where the contact rests the stored steps are the ends of the list of
-                loads, or the turns: unloaded, or in the middle, there is little to show.
+            row: the step's row of the history. If the contact does not move, the step with the largest value of
+                `largest` is chosen: stored steps are ends of the load list or turning points, and the unloaded ones
+                show little.
         """
         return -row[self.largest] if self.motion is None else abs(row[self.motion])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tugging: all that Python knows of it alone."""
+"""The scenario tugging: case class, results, key numbers and figures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["TRAITS", "Tugging", "TuggingResult"]
 
 
 class Tugging(ScenarioCase):
-    """Two asperities slide past each other and push each other aside."""
+    """Two asperities slide past each other with interference and deform each other."""
 
     _table = "tugging"
 
@@ -44,32 +44,34 @@ class Tugging(ScenarioCase):
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
     ):
-        """Describes a tugging.
+        """Makes a case; either an interference or a load is given.
 
         Args:
             lower: the body at rest; its shape is a `Sphere`, `Ellipsoid` or `Cylinder`.
-            upper: the body that passes over it, of such a shape.
-            interference: overlap of the undeformed bodies in height, without textures, when their centres are aligned
-                along x; in critical interferences alpha_c, or a length if not normalised. The largest overlap unless
-                there is an offset.
-            offset: of the upper centre from the lower one along y: the bodies pass beside each other and overlap less,
-                by offset^2 / (2 (R1 + R2)); in contact radii a_c at first yield, or a length if not normalised.
-                Not with a load.
-            load: instead, a normal force that is kept; in critical loads P_c, or a force if not normalised.
-            normalised: whether these three are in their values at first yield.
-            passes: how often the upper body passes.
-            shift: arc by which the contact moves on each body per step.
+            upper: the moving body, with one of the same shapes.
+            interference: overlap in height of the undeformed bodies, without textures, when their centres are aligned
+                along x; as a multiple of the critical interference alpha_c, or a length if not normalised. Without an
+                offset it is the largest overlap.
+            offset: distance along y of the upper centre from the lower one, which reduces the overlap by
+                offset^2 / (2 (R1 + R2)); as a multiple of the contact radius a_c at first yield, or a length if not
+                normalised. Not allowed with a load.
+            load: constant normal force instead of an interference; as a multiple of the critical load P_c, or a force
+                if not normalised.
+            normalised: whether interference, offset and load are relative to their values at first yield.
+            passes: number of passes of the upper body.
+            shift: arc length by which the contact moves on each body per step [m].
             kinematics: "exact" or "paper".
-            speed: of the upper surface over the lower one, such as "1 m/s"; needed where friction heats.
+            speed: speed of the upper surface relative to the lower one, such as "1 m/s"; required if friction heats the
+                bodies.
             interface: friction, `brinell.Interface` or a dictionary.
-            thermal: what its heat does, `brinell.Heating` or a dictionary.
-            title: copied into the results.
-            grid: its cells, `brinell.Grid` or a dictionary.
-            solver: `brinell.Solver` or a dictionary.
-            output: what is stored, `brinell.Output` or a dictionary.
+            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
+            title: title of the case, copied into the results.
+            grid: grid settings, `brinell.Grid` or a dictionary.
+            solver: solver settings, `brinell.Solver` or a dictionary.
+            output: stored results, `brinell.Output` or a dictionary.
 
         Raises:
-            InputError: with all problems found.
+            InputError: the case is invalid; the message lists all problems found.
         """
         table = {
             "interference": interference,
@@ -95,31 +97,31 @@ class Tugging(ScenarioCase):
 
 
 class TuggingResult(RunSummary):
-    """What only a tugging has in its summary."""
+    """Summary results that are specific to tugging."""
 
     @property
     def lower_radius(self) -> float:
-        """R1 of a tugging [m]."""
+        """Radius R1 of the lower body in a tugging [m]."""
         return self._number("geometry", "lower_radius_m")
 
     @property
     def upper_radius(self) -> float:
-        """R2 of a tugging [m]."""
+        """Radius R2 of the upper body in a tugging [m]."""
         return self._number("geometry", "upper_radius_m")
 
     @property
     def interference(self) -> float:
-        """Overlap in height of the rigid bodies of a tugging at alignment [m]."""
+        """Overlap in height of the undeformed bodies of a tugging at alignment [m]."""
         return self._number("geometry", "interference_m")
 
     @property
     def offset(self) -> float:
-        """Of the upper centre from the lower one along y, in a tugging [m]."""
+        """Distance along y of the upper centre from the lower one in a tugging [m]."""
         return self._number("geometry", "offset_m")
 
     @property
     def closest_interference(self) -> float:
-        """Largest interference of a tugging along the line of centres [m]; with an offset less than `interference`."""
+        """Largest interference along the line of centres in a tugging [m]; less than `interference` with an offset."""
         return self._number("geometry", "closest_interference_m")
 
     @property

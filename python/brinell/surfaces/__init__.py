@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Height maps of surfaces: make, read, prepare, look at, put onto a body.
+"""Height maps of surfaces: generation, reading, preparation, roughness parameters, and use as textures of bodies.
 
     dent = brinell.surfaces.read("dent.xyz").levelled().cropped(x=(-1e-4, 1e-4))
     case = brinell.Case.from_file("case.toml").with_values({"lower.texture": dent})
@@ -7,7 +7,7 @@
     rough = brinell.surfaces.random("1 mm", 512, rms_height="0.5 um", rolloff="200 um", cutoff="16 um")
     print(rough.Sq, rough.Sdq, rough.Sku)
 
-Files of measuring instruments are read by SurfaceTopography (pip install "brinell[surfaces]").
+Reading files of measuring instruments needs SurfaceTopography (pip install "brinell[surfaces]").
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Height maps read from files and written to them."""
+"""Reading and writing of height maps."""
 
 from __future__ import annotations
 
@@ -18,33 +18,35 @@ from brinell.surfaces.heightmap import FloatArray, HeightMap
 from brinell.surfaces.units import metres, one_unit, pair
 
 Spacing: TypeAlias = float | str | Sequence[float | str]
-"""Lengths along x and y in m or with a unit; one stands for both."""
+"""Point distances along x and y, in m or as text with a unit; one value stands for both."""
 TEXT = (".csv", ".txt", ".dat")
-"""Endings of text files of heights as texture.file of a case takes them."""
+"""Endings of text files of heights that texture.file of a case also accepts."""
 _LARGEST_TEXT = 100_000_000
-"""Bytes, as of all texts that a case names."""
+"""Largest size of a text file [B], the same as for all text files that a case refers to."""
 
 
 def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None = None, fill: bool = False) -> HeightMap:
     """Reads a height map.
 
     Args:
-        path: .npz as `write` makes it; .npy with heights [ny, nx]; .csv, .txt, .dat with a line per row, as
-            texture.file of a case; of any other ending what SurfaceTopography reads.
-        spacing: (dx, dy) [m], as numbers or text such as "1 um", or one for both; needed where the file has none: .npy,
-            and text that neither `write` has made nor has the header of Gwyddion, in English or German.
-        unit: of the heights, as "um", where the file tells none: text and .npy are in m otherwise; in an instrument's
-            file of the places as well.
-        fill: replace points that were not measured, NaN in the file, by a smooth surface (harmonic) through their
-            neighbours: see `filled`.
+        path: path of the file. The ending decides the format: .npz as written by `write`; .npy with heights [ny, nx];
+            .csv, .txt or .dat with one line per row of heights, as for texture.file of a case; any other ending is read
+            by SurfaceTopography.
+        spacing: distances (dx, dy) of the points [m], as numbers or text such as "1 um", or one value for both. It is
+            required for formats that do not store it: .npy, and text that was not written by `write` and has no
+            Gwyddion header (English or German).
+        unit: unit of the heights, such as "um", if the file does not state it; for instrument files it also applies to
+            the coordinates. Text and .npy files are in m by default.
+        fill: replace points that were not measured (NaN in the file) by a smooth, harmonic surface through their
+            neighbours, as `filled` does.
 
     Returns:
-        The heights in m; an instrument's map has its first row at the smallest y.
+        The height map in m. The first row of an instrument's map is at the smallest y.
 
     Raises:
-        InputError: spacing or unit are missing, or the content is no height map.
-        MissingExtraError: SurfaceTopography is needed and not installed.
-        IoError: the file cannot be read.
+        InputError: spacing or unit is missing, or the content is not a height map.
+        MissingExtraError: SurfaceTopography is needed but not installed.
+        IoError: there is no such file.
     """
     path = Path(path)
     if not path.is_file():
@@ -69,12 +71,13 @@ def write(path: str | Path, heightmap: HeightMap) -> None:
     """Writes a height map.
 
     Args:
-        path: .npz, .csv, .txt and .dat hold all of it, the text as texture.file of a case, which takes the heights
-            alone and not the first lines; .npy the heights alone.
-        heightmap: what to write.
+        path: path of the file. The ending decides the format: .npz, .csv, .txt and .dat store the whole map, .npy only
+            the heights. A text file can also be used as texture.file of a case, which reads the heights and ignores the
+            first lines.
+        heightmap: the map to write.
 
     Raises:
-        InputError: the ending is another one.
+        InputError: the ending is not supported.
         IoError: the file cannot be written.
     """
     path = Path(path)
@@ -102,7 +105,7 @@ def write(path: str | Path, heightmap: HeightMap) -> None:
 
 
 def _head(heightmap: HeightMap) -> dict[str, str]:
-    """What a text has before its heights, as TOML."""
+    """Values in the comment lines before the heights of a text file, formatted as TOML."""
     dx, dy = heightmap.spacing
     periodic = "true" if heightmap.periodic else "false"
     return {"spacing": f"[{dx!r}, {dy!r}]", "x": repr(heightmap.x), "y": repr(heightmap.y), "periodic": periodic}
@@ -136,7 +139,7 @@ def _from_npz(path: Path, fill: bool) -> HeightMap:
 
 
 def _from_text(path: Path, spacing: Spacing | None, unit: str | None, fill: bool) -> HeightMap:
-    """Heights in m or in `unit`, after the lines of `write` or the header of Gwyddion, if there are some."""
+    """Reads heights in m or in `unit`, and the optional comment lines of `write` or header of Gwyddion before them."""
     if path.stat().st_size > _LARGEST_TEXT:
         raise InputError(f"is too large; allowed: up to {_LARGEST_TEXT / 1e6:.0f} MB of text, or a .npy file")
     text = path.read_text(encoding="utf-8-sig", errors="replace")
@@ -145,18 +148,20 @@ def _from_text(path: Path, spacing: Spacing | None, unit: str | None, fill: bool
     if spacing is None and {"Width", "Height"} <= header.keys():
         width, height = (_size_of_header(header[name]) for name in ("Width", "Height"))
         return HeightMap(heights, (width / heights.shape[1], height / heights.shape[0]))
-    told = _told(text)
-    x, y = (float(told[name]) if isinstance(told.get(name), int | float) else 0.0 for name in ("x", "y"))
-    given = spacing if spacing is not None else told.get("spacing")
-    return HeightMap(heights, _needed(given, path), x, y, told.get("periodic") is True)
+    header_values = _values_in_comments(text)
+    x, y = (
+        float(header_values[name]) if isinstance(header_values.get(name), int | float) else 0.0 for name in ("x", "y")
+    )
+    given = spacing if spacing is not None else header_values.get("spacing")
+    return HeightMap(heights, _needed(given, path), x, y, header_values.get("periodic") is True)
 
 
-def _told(text: str) -> dict[str, Any]:
-    """What the lines of `write` before the heights tell; what is given wins over it."""
+def _values_in_comments(text: str) -> dict[str, Any]:
+    """Values in the comment lines that `write` puts before the heights; arguments of the caller override them."""
     head = re.findall(r"^#\s*((?:spacing|x|y|periodic)\s*=.*)$", text[:1000], flags=re.MULTILINE)
     try:
         return tomllib.loads("\n".join(head))
-    except tomllib.TOMLDecodeError:  # somebody's own remark
+    except tomllib.TOMLDecodeError:  # a comment of the user that only looks similar
         return {}
 
 
@@ -169,18 +174,18 @@ _WORDS = {
     "Werteinheiten": "Value units",
     "Werteinheit": "Value units",
 }
-"""Of Gwyddion's header, in English and in German."""
+"""Keywords of Gwyddion's header, in English and in German, with the English keyword of each."""
 _GWYDDION = re.compile(rf"^#\s*({'|'.join(_WORDS)}):\s*(.*?)\s*$", re.MULTILINE)
-"""Lines of its header: "# Width: 100 µm"."""
+"""Lines of Gwyddion's header: "# Width: 100 µm"."""
 
 
 def _header_of_gwyddion(text: str) -> dict[str, str]:
-    """By the English words."""
+    """Entries of Gwyddion's header by their English keywords."""
     return {_WORDS[word]: value for word, value in _GWYDDION.findall(text)}
 
 
 def _unit_of_header(header: dict[str, str], unit: str | None) -> str:
-    """Of the heights; a header that tells their places alone leaves that to the user."""
+    """Unit of the heights; if a header gives only the size of the map, the user has to give the unit."""
     if header and "Value units" not in header and unit is None:
         raise InputError(
             "has no line '# Value units: m' in the header of Gwyddion; give unit='m'. Lines that are looked for begin "
@@ -193,9 +198,9 @@ _DECIMAL_COMMA = re.compile(r"[-+]?(?:\d+(?:,\d+)?(?:e[-+]?\d+)?|nan|inf|infinit
 
 
 def _has_decimal_commas(lines: list[str]) -> bool:
-    """Whether commas stand in the numbers of a text and something else between them, in every line.
+    """Whether commas are decimal commas: in every line something else separates the numbers.
 
-    The same holds in texture.file of a case (src/io/case/measured_files.cpp).
+    The case reader uses the same rule for texture.file (src/io/case/measured_files.cpp).
     """
     words = [line.replace(";", " ").split() for line in lines]
     return (
@@ -206,7 +211,7 @@ def _has_decimal_commas(lines: list[str]) -> bool:
 
 
 def _size_of_header(text: str) -> float:
-    """In m, of "100 µm"."""
+    """Converts a length such as "100 µm" to m."""
     number, _, unit = text.replace("\N{NO-BREAK SPACE}", " ").partition(" ")
     try:
         return float(number.replace(",", ".")) * metres(unit.strip())
@@ -215,9 +220,9 @@ def _size_of_header(text: str) -> float:
 
 
 def _numbers(text: str) -> FloatArray:
-    """As the case reader does: numbers between commas, semicolons, tabs or blanks; # begins a comment line.
+    """Parses heights as the case reader does: separated by commas, semicolons, tabs or blanks; # starts a comment line.
 
-    Commas between digits in a text with something else between its numbers are decimal commas.
+    If something else than a comma separates the numbers, commas between digits are decimal commas.
     """
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     text = text.translate(str.maketrans(",;\t", ".  " if _has_decimal_commas(lines) else "   "))

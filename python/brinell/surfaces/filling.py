@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points of a map that were not measured: told, or replaced by a smooth surface."""
+"""Points of a map that were not measured: error message, and replacement by a smooth surface."""
 
 from __future__ import annotations
 
@@ -11,19 +11,22 @@ from brinell.errors import InputError
 FloatArray = NDArray[np.float64]
 
 _ACCURACY = 1e-9
-"""Residual of the heights that are put in, over that of a flat surface in their place."""
+"""Residual of the filled heights, relative to that of a flat surface."""
 
 
 def filled(heights: ArrayLike) -> FloatArray:
-    """Heights whose points that are not finite are replaced by a smooth surface through their neighbours.
+    """Replaces points that are not finite by a smooth surface through their neighbours.
 
-    The surface is harmonic: each of its points is the mean of its four neighbours, or of those that the map has.
+    The surface is harmonic: each filled point is the mean of its four neighbours, or of those within the map.
 
     Args:
-        heights: [ny, nx]; NaN, or masked, where nothing was measured.
+        heights: [ny, nx] heights, NaN or masked where nothing was measured.
+
+    Returns:
+        [ny, nx] finite heights, in the unit of the argument.
 
     Raises:
-        InputError: they are not a map, or nothing was measured.
+        InputError: the array is not a two-dimensional map, or no point was measured.
     """
     values = np.ma.filled(np.ma.asarray(heights, dtype=np.float64), np.nan)
     if values.ndim != 2 or values.size == 0:
@@ -33,7 +36,7 @@ def filled(heights: ArrayLike) -> FloatArray:
         raise InputError("none of the heights is finite: there is nothing to fill the map from")
     if not missing.any():
         return values
-    # Heights over their own mean: far from zero, as those of a scanner, the differences would lose digits.
+    # The mean is subtracted because differences of heights far from zero, as from a scanner, would lose digits.
     middle = values[~missing].mean()
     known = np.where(missing, 0.0, values - middle)
     result = values.copy()
@@ -42,11 +45,14 @@ def filled(heights: ArrayLike) -> FloatArray:
 
 
 def _harmonic(missing: NDArray[np.bool_], known: FloatArray) -> FloatArray:
-    """The missing heights, by conjugate gradients on them alone.
+    """Solves Laplace's equation for the missing heights by conjugate gradients.
 
     Args:
-        missing: [ny, nx] where heights are looked for.
-        known: [ny, nx], zero there.
+        missing: [ny, nx] true at missing points.
+        known: [ny, nx] known heights, zero at missing points.
+
+    Returns:
+        [points] missing heights, in the order of `missing`.
     """
     number = np.full(missing.shape, -1)
     number[missing] = np.arange(np.count_nonzero(missing))
@@ -56,7 +62,7 @@ def _harmonic(missing: NDArray[np.bool_], known: FloatArray) -> FloatArray:
     source = np.where(exists, known[rows, columns], 0.0).sum(axis=1)
 
     def applied(heights: FloatArray) -> FloatArray:
-        extended = np.append(heights, 0.0)  # which the number -1 takes
+        extended = np.append(heights, 0.0)  # index -1 refers to this zero
         return np.asarray(weight * heights - extended[among].sum(axis=-1))
 
     heights = np.zeros(len(weight))
@@ -78,7 +84,10 @@ def _harmonic(missing: NDArray[np.bool_], known: FloatArray) -> FloatArray:
 
 
 def _neighbours(missing: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.int64], NDArray[np.int64]]:
-    """Of each missing point four: whether the map has it, and its row and column, or any if it has not; [points, 4]."""
+    """Four neighbours of each missing point, [points, 4]: whether it is on the map, its row, its column.
+
+    Rows and columns of neighbours that are not on the map are clipped to valid indices.
+    """
     row, column = np.nonzero(missing)
     rows = row[:, None] + np.array([0, 0, -1, 1])
     columns = column[:, None] + np.array([-1, 1, 0, 0])
@@ -87,8 +96,8 @@ def _neighbours(missing: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[
     return exists, np.clip(rows, 0, ny - 1), np.clip(columns, 0, nx - 1)
 
 
-def told_gaps(heights: FloatArray) -> str | None:
-    """What to say of heights that are not finite; None if all of them are."""
+def gap_message(heights: FloatArray) -> str | None:
+    """Message about heights that are not finite; None if all are finite."""
     bad = np.argwhere(~np.isfinite(heights))
     if len(bad) == 0:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights on a grid of points, and what they amount to."""
+"""Heights on a grid of points, and their roughness parameters."""
 
 from __future__ import annotations
 
@@ -15,27 +15,28 @@ from brinell import _core
 from brinell._arrays import require_unmasked
 from brinell._names import level_of_caller
 from brinell.errors import InputError
-from brinell.surfaces.filling import filled, told_gaps
+from brinell.surfaces.filling import filled, gap_message
 from brinell.surfaces.units import metres, one_unit, pair
 
 FloatArray = NDArray[np.float64]
 
 _SPACING = "allowed: (dx, dy), both > 0, in m or with a unit as '1 um'; or one length for both"
 _STEEPEST, _HIGHEST = 10.0, 1.0
-"""Root mean square slope, and height over the map's extent, that no measured surface has."""
+"""Limits of the rms slope, and of the rms height relative to the map's size, that no measured surface exceeds."""
 
 
 @dataclass(frozen=True, eq=False)
 class PowerSpectrum:
     """Power spectral density of the heights, the mean over all directions: C(q) = |h(q)|^2/area.
 
-    h(q) is the integral of h exp(-i q r) over the area (convention of Jacobs, Junge and Pastewka 2017). The mean square
-    height is the integral of C over the plane of wavevectors, over 4 pi^2; with a factor q^2, that of the slope.
+    h(q) is the integral of h exp(-i q r) over the area (convention of Jacobs, Junge and Pastewka 2017). The integral of
+    C over the plane of wavevectors, divided by 4 pi^2, is the mean square height; that of q^2 C is the mean square
+    slope.
 
     Attributes:
-        wavenumber: mean of those in each ring [rad/m], ascending, 2 pi over the wavelength.
-        density: mean over each ring [m^4].
-        count: wavevectors in each ring.
+        wavenumber: (rings,) mean wavenumber 2 pi/wavelength of each ring of wavevectors [rad/m], ascending.
+        density: (rings,) mean density over each ring [m^4].
+        count: (rings,) number of wavevectors in each ring.
     """
 
     wavenumber: FloatArray
@@ -48,13 +49,15 @@ class HeightMap:
     """Heights on a rectangular grid of points.
 
     Attributes:
-        heights: [ny, nx], in m, out of the body positive.
-        spacing: distances dx, dy of the points [m]; given as such, as text with a unit, or one for both.
-        x: centre of the map on the body's surface [m].
-        y: the same along y [m].
-        periodic: whether the map covers the surface, again and again, with the periods nx dx and ny dy, instead of
-            being zero outside.
-        unit: in which the heights are given here, as "um".
+        heights: [ny, nx] heights, positive out of the body [m].
+        spacing: distances (dx, dy) of the points [m]; the argument may also be text with a unit, or one value for both.
+        x: coordinate along x of the centre of the map on the body's surface [m].
+        y: coordinate along y of the centre [m].
+        periodic: whether the map is repeated with the periods nx dx and ny dy; otherwise the height is zero outside.
+        unit: unit in which the argument `heights` is given, such as "um" (argument only).
+
+    Raises:
+        InputError: the heights are not a finite, two-dimensional array, or spacing or unit is invalid.
     """
 
     heights: FloatArray
@@ -69,7 +72,7 @@ class HeightMap:
         heights = np.array(self.heights, dtype=np.float64) * metres(unit)
         if heights.ndim != 2 or heights.size == 0:
             raise InputError(f"heights have the shape {heights.shape}; allowed: [ny, nx] with one point or more")
-        if (gaps := told_gaps(heights)) is not None:
+        if (gaps := gap_message(heights)) is not None:
             raise InputError(
                 f"{gaps}: fill what was not measured, as surfaces.read(file, fill=True), brinell surface convert --fill"
                 " or surfaces.filled(heights) do by a smooth surface, or numpy.nan_to_num(heights, nan=0.0) by zero"
@@ -86,7 +89,7 @@ class HeightMap:
         self._warn_of_units()
 
     def _warn_of_units(self) -> None:
-        """Heights in nm or um that are taken for m make walls and towers."""
+        """Warns of implausibly large heights and slopes, which are a sign of heights in nm or um taken as m."""
         if self.Sq <= _HIGHEST * max(self.size) and self.Sdq <= _STEEPEST:
             return
         from brinell.case import CaseWarning
@@ -101,30 +104,30 @@ class HeightMap:
 
     @classmethod
     def from_topography(cls, topography: Any, *, unit: str | None = None, fill: bool = False) -> HeightMap:
-        """A map of SurfaceTopography.
+        """Converts a topography of the package SurfaceTopography.
 
         Args:
-            topography: two-dimensional, on a regular grid.
-            unit: of heights and places, as "um", if it tells none.
-            fill: replace points that were not measured by a smooth surface (harmonic) through their neighbours.
+            topography: two-dimensional topography on a regular grid.
+            unit: unit of heights and coordinates, such as "um", if the topography has none.
+            fill: replace points that were not measured by a smooth, harmonic surface through their neighbours.
 
         Raises:
-            InputError: it is no such map, or its unit is missing or told twice.
+            InputError: the topography is not such a map, or its unit is missing or given twice.
         """
         if getattr(topography, "dim", None) != 2 or not topography.is_uniform:
             raise InputError("is a line scan, or not on a regular grid; allowed: a map of heights")
         to_metre = metres(one_unit(topography.unit, unit))
-        # Its first index runs along x, its second along y.
+        # The first index of a topography runs along x, the second along y.
         heights = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan).T * to_metre
         dx, dy = topography.pixel_size
         return cls(filled(heights) if fill else heights, (dx * to_metre, dy * to_metre))
 
     @classmethod
     def of_part(cls, part: Any) -> Any:
-        """What can be a texture: a map of SurfaceTopography as one of ours, all else as it is.
+        """Converts a topography of SurfaceTopography that is used as a texture; other objects are returned unchanged.
 
         Raises:
-            InputError: as `from_topography`.
+            InputError: the topography cannot be converted, see `from_topography`.
         """
         if not (hasattr(part, "pixel_size") and callable(getattr(part, "heights", None))):
             return part
@@ -142,16 +145,16 @@ class HeightMap:
 
     @property
     def x_axis(self) -> FloatArray:
-        """Places of the points on the body's surface along x, [nx] in m."""
+        """[nx] coordinates of the points on the body's surface along x [m]."""
         return self.x + _centred(self.heights.shape[1], self.spacing[0])
 
     @property
     def y_axis(self) -> FloatArray:
-        """Places of the points on the body's surface along y, [ny] in m."""
+        """[ny] coordinates of the points on the body's surface along y [m]."""
         return self.y + _centred(self.heights.shape[0], self.spacing[1])
 
     def levelled(self) -> HeightMap:
-        """Without the plane that fits best (least squares); the mean height is then 0."""
+        """Map without its least-squares plane; the mean height is then 0."""
         ny, nx = self.heights.shape
         x, y = _centred(nx, self.spacing[0]), _centred(ny, self.spacing[1])
         # On a grid centred at 0 the terms 1, x and y are orthogonal.
@@ -163,14 +166,14 @@ class HeightMap:
         return replace(self, heights=self.heights - plane)
 
     def cropped(self, x: tuple[float, float] | None = None, y: tuple[float, float] | None = None) -> HeightMap:
-        """The part whose points lie in an interval; it stays where it is on the body.
+        """Part of the map in a rectangle; it keeps its position on the body.
 
         Args:
-            x: from, to [m]; None: all.
-            y: the same along y.
+            x: interval (from, to) along x [m]; None: all.
+            y: interval along y [m]; None: all.
 
         Raises:
-            InputError: no point lies there.
+            InputError: the rectangle contains no point.
         """
         columns, new_x = (slice(None), self.x) if x is None else _inside("x", self.x_axis, x)
         rows, new_y = (slice(None), self.y) if y is None else _inside("y", self.y_axis, y)
@@ -178,16 +181,17 @@ class HeightMap:
         return HeightMap(self.heights[rows, columns], self.spacing, new_x, new_y, self.periodic and is_all)
 
     def joined(self, strip: float | str) -> HeightMap:
-        """A periodic map whose ends go over into each other; level the map before.
+        """Periodic map whose ends are blended into each other; level the map first.
 
-        Along each axis the map gets shorter by a strip: there its two ends, which then lie on each other, fade over,
-        with weights whose squares add up to one, so that the height of what is not correlated is kept.
+        Along each axis the map becomes shorter by the width of a strip, in which the two ends are blended. The squares
+        of the weights sum to one, so that the rms height of uncorrelated roughness is preserved.
 
         Args:
-            strip: its width [m], or with a unit as "10 um"; several of the longest waves, up to half of the map.
+            strip: width of the strip [m], or text with a unit such as "10 um"; several times the longest wavelength, up
+                to half of the map.
 
         Raises:
-            InputError: less than one point, or more than half of the map.
+            InputError: the strip is narrower than one point, or wider than half of the map.
         """
         width = pair((strip, strip))[0]
         heights = self.heights - self.heights.mean()
@@ -203,22 +207,22 @@ class HeightMap:
 
     @property
     def size(self) -> tuple[float, float]:
-        """Along x and y, a spacing for each point [m]."""
+        """Size of the map along x and y, number of points times spacing [m]."""
         return self.heights.shape[1] * self.spacing[0], self.heights.shape[0] * self.spacing[1]
 
     @property
     def Sa(self) -> float:
-        """Arithmetic mean height about the mean plane z = mean [m] (ISO 25178-2); level the map before."""
+        """Arithmetic mean height about the plane z = mean [m] (ISO 25178-2); level the map first."""
         return float(np.abs(self.heights - self.heights.mean()).mean())
 
     @property
     def Sq(self) -> float:
-        """Root mean square height [m] (ISO 25178-2); level the map before."""
+        """Root mean square height [m] (ISO 25178-2); level the map first."""
         return float(self.heights.std())
 
     @property
     def Sz(self) -> float:
-        """Maximum height: highest peak to deepest pit [m] (ISO 25178-2)."""
+        """Maximum height, from the deepest pit to the highest peak [m] (ISO 25178-2)."""
         return float(np.ptp(self.heights))
 
     @property
@@ -237,37 +241,37 @@ class HeightMap:
 
     @property
     def Sk(self) -> float:
-        """Core height: by how much the line through the core of the bearing-area curve falls [m] (ISO 25178-2)."""
+        """Core height: drop of the straight line through the core of the bearing-area curve [m] (ISO 25178-2)."""
         return self._bearing[0]
 
     @property
     def Spk(self) -> float:
-        """Reduced height of the peaks that stand out of the core [m] (ISO 25178-2)."""
+        """Reduced peak height above the core [m] (ISO 25178-2)."""
         return self._bearing[1]
 
     @property
     def Svk(self) -> float:
-        """Reduced depth of the valleys below the core [m] (ISO 25178-2)."""
+        """Reduced valley depth below the core [m] (ISO 25178-2)."""
         return self._bearing[2]
 
     @property
     def Smr1(self) -> float:
-        """Share of the area at which the core begins, 0 to 1 (ISO 25178-2)."""
+        """Material ratio at which the core begins, 0 to 1 (ISO 25178-2)."""
         return self._bearing[3]
 
     @property
     def Smr2(self) -> float:
-        """Share of the area at which the core ends, 0 to 1 (ISO 25178-2)."""
+        """Material ratio at which the core ends, 0 to 1 (ISO 25178-2)."""
         return self._bearing[4]
 
     @cached_property
     def _bearing(self) -> tuple[float, float, float, float, float]:
-        """What the core computes of the bearing-area curve, the same as of surfaces that slide."""
+        """(Sk, Spk, Svk, Smr1, Smr2), by the same engine function as for surfaces in sliding."""
         return _core.bearing(self.heights)
 
     @property
     def Sdq(self) -> float:
-        """Root mean square slope, of the length of the gradient (ISO 25178-2), by differences of neighbours."""
+        """Root mean square of the gradient's magnitude [-] (ISO 25178-2), by differences of neighbours."""
         return float(
             np.sqrt(sum((self._difference(axis) ** 2).mean() for axis in (0, 1) if self.heights.shape[axis] > 1))
         )
@@ -276,7 +280,7 @@ class HeightMap:
     def rms_curvature(self) -> float:
         """Root mean square of the mean curvature, half of the Laplacian [1/m], by differences of neighbours.
 
-        Without a period the outermost points have no curvature and are left out.
+        The outermost points of a map that is not periodic are left out; NaN with fewer than 3 points along an axis.
         """
         if min(self.heights.shape) < 3:
             return np.nan
@@ -287,16 +291,19 @@ class HeightMap:
         return float(0.5 * np.sqrt((inner**2).mean()))
 
     def _difference(self, axis: int) -> FloatArray:
-        """Slopes between neighbours along y (0) or x (1)."""
+        """Slopes between neighbours along y (axis 0) or x (axis 1)."""
         distance = self.spacing[1 - axis]
         if self.periodic:
             return np.asarray((np.roll(self.heights, -1, axis) - self.heights) / distance)
         return np.asarray(np.diff(self.heights, axis=axis) / distance)
 
     def power_spectrum(self) -> PowerSpectrum:
-        """Power spectral density over rings of wavevectors, each as wide as the smallest wavenumber.
+        """Power spectral density, averaged over rings of wavevectors as wide as the smallest wavenumber.
 
-        A map without a period is multiplied by Hann's window, which costs the two longest waves: level it before.
+        A map that is not periodic is multiplied by a Hann window, which distorts the two longest waves; level it first.
+
+        Raises:
+            InputError: the map has fewer than 4 points along an axis.
         """
         ny, nx = self.heights.shape
         if min(nx, ny) < 4:
@@ -318,21 +325,21 @@ class HeightMap:
         return PowerSpectrum(sums[0], sums[1], count[used])
 
     def bearing_area(self) -> tuple[FloatArray, FloatArray]:
-        """Curve of Abbott and Firestone: which share of the area lies at that height or above.
+        """Bearing-area curve (Abbott and Firestone): fraction of the area at or above a height.
 
         Returns:
-            The share, 0 to 1, and the height above the mean [m], from the highest point down.
+            (nx ny,) fraction of the area, 0 to 1, and (nx ny,) height above the mean [m], from the highest point down.
         """
         heights = np.sort(self.heights - self.heights.mean(), axis=None)[::-1]
         return (np.arange(heights.size) + 0.5) / heights.size, heights
 
     def to_case(self) -> dict[str, Any]:
-        """The texture table of a case file, with the heights themselves."""
+        """Table `texture` of a case file, including the heights."""
         heights = {"heights": self.heights.ravel().tolist(), "columns": self.heights.shape[1]}
         return self.settings() | heights
 
     def settings(self) -> dict[str, Any]:
-        """The texture table of a case file, without the heights."""
+        """Table `texture` of a case file, without the heights."""
         return {
             "type": "height_map",
             "spacing": list(self.spacing),
@@ -343,7 +350,7 @@ class HeightMap:
 
 
 def _faded(heights: FloatArray, points: int, axis: int) -> FloatArray:
-    """Without as many points at the end, which fade out over those at the beginning."""
+    """Heights without the last `points` along an axis, which are blended into the first ones."""
     rows = np.moveaxis(heights, axis, 0)
     angle = 0.5 * np.pi * np.arange(points)[:, None] / points
     kept = rows[: len(rows) - points].copy()
@@ -352,7 +359,7 @@ def _faded(heights: FloatArray, points: int, axis: int) -> FloatArray:
 
 
 def _hann(count: int) -> FloatArray:
-    """Hann's window of a period."""
+    """Periodic Hann window."""
     return np.asarray(np.sin(np.pi * (np.arange(count) + 0.5) / count) ** 2)
 
 
@@ -361,7 +368,7 @@ def _centred(count: int, distance: float) -> FloatArray:
 
 
 def _inside(name: str, axis: FloatArray, interval: tuple[float, float]) -> tuple[slice, float]:
-    """Points of an axis in the interval, and their middle. A point on the edge counts in spite of round-off."""
+    """Points of an axis in an interval, and their middle. A tolerance includes points on the edge despite rounding."""
     slack = 1e-9 * (axis[1] - axis[0]) if len(axis) > 1 else 0.0
     inside = np.flatnonzero((axis >= interval[0] - slack) & (axis <= interval[1] + slack))
     if len(inside) == 0:

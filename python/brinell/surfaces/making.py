@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surfaces that are made: self-affine ones, and those of a function."""
+"""Generated surfaces: random self-affine ones, and those of a function."""
 
 from __future__ import annotations
 
@@ -26,26 +26,26 @@ def random(
     rolloff: float | str | None = None,
     seed: int = 0,
 ) -> HeightMap:
-    """A Gaussian, isotropic, self-affine surface, by the code that a texture of type "random" is made by.
+    """Generates a Gaussian, isotropic, self-affine surface, the same as a texture of type "random".
 
-    Heights are those of `brinell.RandomSurface` at the points: more points show the same surface. Lengths in m, or text
-    with a unit such as "10 um".
+    The heights are those of `brinell.RandomSurface` at the points; more points resolve the same surface more finely.
+    Lengths are in m, or text with a unit such as "10 um".
 
     Args:
-        size: period and longest wavelength, along x and y if they differ.
-        points: how many, along x and y if they differ; their distances divide the size.
+        size: period, which is the longest wavelength; a pair if it differs along x and y.
+        points: number of points per period; a pair if it differs along x and y.
         cutoff: shortest wavelength.
-        rms_height: root mean square of the height over a period; or
-        rms_slope: that of the gradient's length. One of the two.
-        hurst: exponent of Hurst, 0 to 1.
-        rolloff: wavelength above which waves are not higher any more; None: self-affine up to the size.
-        seed: other numbers give other surfaces.
+        rms_height: root mean square of the height over a period. Exactly one of `rms_height` and `rms_slope` is given.
+        rms_slope: root mean square of the magnitude of the gradient [-].
+        hurst: Hurst exponent, 0 to 1 [-].
+        rolloff: wavelength above which the spectrum is constant; None: self-affine up to `size`.
+        seed: seed of the random numbers, 0 to 2^63 - 1; other seeds give other surfaces.
 
     Returns:
-        A periodic map around x = y = 0.
+        A periodic map centred at x = y = 0.
 
     Raises:
-        InputError: something is out of range.
+        InputError: an argument is out of range.
     """
     sizes = [_length(s) for s in ([size] if isinstance(size, str | int | float) else size)]
     counts = [int(n) for n in ([points] if isinstance(points, int) else points)]
@@ -70,7 +70,7 @@ def random(
 
 
 def _warn_of_lost_waves(cutoff: float, distance: float) -> None:
-    """Points that are farther apart than half a wave do not show it, and nothing that reads them can tell."""
+    """Warns if the points are too far apart for the shortest wave (aliasing), which cannot be detected later."""
     if distance <= 0.5 * cutoff * (1.0 + 1e-9):
         return
     from brinell.case import CaseWarning
@@ -94,19 +94,21 @@ def sampled(
     x: tuple[float, float],
     y: tuple[float, float],
 ) -> HeightMap:
-    """A texture from a function of x and y.
+    """Samples a function of x and y as a height map.
 
-    The function itself could not be stored with a result or taken up by another process; its heights can.
+    A map is used because the function itself could not be stored with a result or sent to another process.
 
     Args:
-        height: of the surface at a place (x, y) on the body, out of it positive; all in m.
-        spacing: (dx, dy), distances of the points [m]: as fine as the cells or finer; made a little smaller to fit into
+        height: function of the coordinates x and y on the body [m] that returns the height, positive out of the body
+            [m].
+        spacing: distances (dx, dy) of the points [m], not larger than the cells; they are reduced slightly to divide
             the intervals.
-        x: from, to [m]; outside, the surface is smooth, so the heights should fade to zero towards the ends.
-        y: the same along y.
+        x: interval (from, to) along x [m]. The height is zero outside, so the function should decay to zero towards
+            the ends.
+        y: interval along y [m].
 
     Raises:
-        InputError: the intervals are empty, or the function gives something that is no finite number.
+        InputError: an interval is empty, or the function returns something else than a finite number.
     """
     distances = pair(spacing)
     axes, steps = [], []

@@ -4,8 +4,8 @@
     result = brinell.sweep("case.toml", {"tugging.interference": "1:15:15"}, output="results/alpha")
     result.table.plot("tugging.interference", "energy.net_J")
 
-Modules: `axes` (what is varied), `designs` (which points), `point` (one run, in a worker), `pools` (who computes),
-`folder` (what is on disk), `driver` (all together), `cli` (the command).
+Modules: `axes` (varied keys), `designs` (points), `lists` (axes over entries of lists), `point` (one run in a worker),
+`pools` (processes or cluster), `folder` (files of a sweep), `driver` (the function `sweep`), `cli` (the command).
 """
 
 from brinell.errors import MissingExtraError

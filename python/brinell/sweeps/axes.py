@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a sweep varies: one axis per key of the case, a range or a list of choices.
+"""Axes of a sweep: one per varied key of the case, a range or a list of choices.
 
-A range keeps the unit in which it is given; units are converted where the case is read and nowhere else.
+A range keeps the unit in which it is given; only the reader of cases converts units.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Value: TypeAlias = Any
 
 _QUANTITY = re.compile(r"\s*(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>[^\d\s].*?)?\s*")
 _DIGITS = 12
-"""Significant digits of the values of a range: 0.1:0.3:3 is 0.1, 0.2, 0.3 and not 0.30000000000000004."""
+"""Significant digits of the values of a range, so that 0.1:0.3:3 gives 0.3 and not 0.30000000000000004."""
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,12 @@ class Range:
     Attributes:
         start: first value, in `unit`.
         stop: last value, in `unit`.
-        count: how many; None where the design decides (Latin hypercube).
-        unit: of both, as in a case file; empty for SI and pure numbers.
-        logarithmic: equal ratios instead of equal distances.
+        count: number of values; None if the design chooses the values (Latin hypercube).
+        unit: unit of both ends, as in a case file; empty for SI and dimensionless numbers.
+        logarithmic: whether the values have equal ratios instead of equal distances.
+
+    Raises:
+        InputError: the count is below 1, an end is not finite, or an end of a logarithmic range is not above 0.
     """
 
     start: float
@@ -54,7 +57,7 @@ class Range:
             raise InputError(f"the range {self.start}:{self.stop} is logarithmic; allowed: both ends > 0")
 
     def values(self) -> list[Value]:
-        """All of them, in order."""
+        """All values in order."""
         if self.count is None:
             raise InputError(f"the range {self.start}:{self.stop} needs a count, as in {self.start}:{self.stop}:5")
         spaced = np.geomspace if self.logarithmic else np.linspace
@@ -64,7 +67,7 @@ class Range:
         return [self._quantity(x) for x in numbers]
 
     def at(self, fraction: float) -> Value:
-        """The value at a fraction of the way, in [0, 1]."""
+        """Value at a fraction, in [0, 1], of the range."""
         if self.logarithmic:
             return self._quantity(_rounded(self.start * (self.stop / self.start) ** fraction))
         return self._quantity(_rounded(self.start + (self.stop - self.start) * fraction))
@@ -75,7 +78,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Choices:
-    """Any values, one after the other."""
+    """A list of arbitrary values."""
 
     items: tuple[Value, ...]
 
@@ -84,11 +87,11 @@ class Choices:
             raise InputError("the list has no values; allowed: one or more")
 
     def values(self) -> list[Value]:
-        """All of them, in order."""
+        """All values in order."""
         return list(self.items)
 
     def at(self, fraction: float) -> Value:
-        """The item at a fraction of the list, in [0, 1); all have the same share."""
+        """Item at a fraction, in [0, 1), of the list; all items have equal shares."""
         return self.items[min(int(fraction * len(self.items)), len(self.items) - 1)]
 
 
@@ -96,14 +99,14 @@ Axis: TypeAlias = Range | Choices
 
 
 def axis_of(given: object) -> Axis:
-    """An axis from what a user writes.
+    """Converts the user's description of an axis.
 
     Args:
-        given: an axis; a sequence of values; or text as behind --over: "start:stop:count" with both ends included and
-            an optional unit at both, "log:start:stop:count", or values separated by commas.
+        given: an axis; a sequence of values; or text as for --over: "start:stop:count" with both ends included and an
+            optional unit at both, "log:start:stop:count", or values separated by commas.
 
     Raises:
-        InputError: the text is no axis; says what is allowed.
+        InputError: the text is not an axis; the message says what is allowed.
     """
     if isinstance(given, Range | Choices):
         return given
@@ -117,7 +120,7 @@ def axis_of(given: object) -> Axis:
 
 
 def _range_of(text: str) -> Range | None:
-    """None if the text is not meant as a range: its first two parts are not numbers with or without a unit."""
+    """Parses a range; None if the text is not a range, that is, its first two parts are not numbers or quantities."""
     logarithmic = text.startswith("log:")
     parts = text.removeprefix("log:").split(":")
     ends = [_QUANTITY.fullmatch(part) for part in parts[:2]]
@@ -148,7 +151,7 @@ def _rounded(x: float) -> float:
 
 
 def _values_of(text: str) -> list[Value]:
-    """Each value is TOML, or else a word or quantity without quotes, as behind --set."""
+    """Parses values as TOML; other items are words or quantities without quotes, as for --set."""
     values = []
     for item in _split_at_commas(text):
         try:
@@ -159,6 +162,6 @@ def _values_of(text: str) -> list[Value]:
 
 
 def _split_at_commas(text: str) -> list[str]:
-    """Not at those inside brackets or quotes."""
+    """Splits a text at commas outside brackets and quotes."""
     items = re.findall(r"""(?:\[[^\]]*\]|\{[^}]*\}|"[^"]*"|'[^']*'|[^,])+""", text)
     return [item.strip() for item in items if item.strip()]

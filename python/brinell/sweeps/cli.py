@@ -15,7 +15,7 @@ import click
 
 from brinell import completion
 from brinell.case import Case
-from brinell.commands import tells_warnings
+from brinell.commands import reports_warnings
 from brinell.errors import InputError
 
 __all__ = ["command"]
@@ -80,14 +80,14 @@ def command(
 
     The same command goes on with what is missing. DIR/table.csv has a row per run.
     """
-    # What ends a job of a queue, or its terminal, ends the sweep as Ctrl-C does.
+    # The signals by which a batch system or a closing terminal ends a job stop the sweep in the same way as Ctrl-C.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # as it is with nohup
+    if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # SIGHUP is ignored under nohup
         signal.signal(signal.SIGHUP, signal.default_int_handler)
     try:
         from brinell.sweeps import sweep
 
-        with tells_warnings():
+        with reports_warnings():
             result = sweep(
                 Case.from_file(case, overrides),
                 _axes(over),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which points of the space of the axes are computed."""
+"""Designs: choice of the points of a sweep in the space of its axes."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ __all__ = ["Design", "Point", "points_of"]
 
 Design: TypeAlias = Literal["grid", "list", "latin_hypercube"]
 Point: TypeAlias = dict[str, Value]
-"""Values by key."""
+"""Values of one run by key."""
 
 
 def points_of(axes: Mapping[str, Axis], design: Design, samples: int | None = None, seed: int = 0) -> list[Point]:
-    """The points of a design, in the order of their runs.
+    """Points of a design, in the order of the runs.
 
     Args:
-        axes: by key of the case.
-        design: "grid", all combinations, the last axis fastest; "list", the axes walked in step; "latin_hypercube",
-            points drawn such that each axis is evenly covered.
-        samples: how many are drawn; with a Latin hypercube only.
-        seed: of the drawing.
+        axes: axes by key of the case.
+        design: "grid": all combinations, the last axis fastest; "list": the i-th values of all axes together;
+            "latin_hypercube": random points that cover each axis evenly.
+        samples: number of points of a Latin hypercube.
+        seed: seed of a Latin hypercube.
 
     Raises:
-        InputError: the axes do not suit the design.
+        InputError: the axes are not suitable for the design.
     """
     if not axes:
         raise InputError("a sweep needs at least one axis, as in tugging.interference=1:15:15")
@@ -43,8 +43,8 @@ def points_of(axes: Mapping[str, Axis], design: Design, samples: int | None = No
         return [dict(zip(columns, values, strict=True)) for values in itertools.product(*columns.values())]
     lengths = {key: len(values) for key, values in columns.items()}
     if len(set(lengths.values())) > 1:
-        told = ", ".join(f"{key} has {length}" for key, length in lengths.items())
-        raise InputError(f"the axes of a list need as many values each; {told}")
+        counts = ", ".join(f"{key} has {length}" for key, length in lengths.items())
+        raise InputError(f"the axes of a list need as many values each; {counts}")
     return [dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True)]
 
 

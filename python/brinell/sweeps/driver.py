@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sweep from its first check to its table."""
+"""The function `sweep`: checks, computation of the runs, and the table of results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import pandas as pd
 from tqdm.auto import tqdm
 
 from brinell import _core
-from brinell._names import tell_old_name
+from brinell._names import warn_of_old_name
 from brinell.case import Case, CaseWarning
 from brinell.errors import InputError
 from brinell.results import Run, open_run
@@ -33,7 +33,7 @@ from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
 __all__ = ["Sweep", "open_sweep", "sweep"]
 
 _MOST_LOSSES = 3
-"""How often a run may lose its process before it counts as failed."""
+"""Number of times that the process of a run may die before the run counts as failed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,10 +41,10 @@ class Sweep:
     """The results of a sweep.
 
     Attributes:
-        path: its folder.
-        table: one row per run that is done or has failed: index, the values of the axes (SI, as the case has them),
-            status, reason of a failure, wall_time_s [s], folder, and all single numbers of the summary by their dotted
-            names, as "energy.net_J" or "indents.0.hardness_Pa".
+        path: folder of the sweep.
+        table: one row per finished or failed run: index, values of the axes (SI, as in the case), status, reason of a
+            failure, wall_time_s [s], folder, and all scalar values of the summary by dotted key, such as "energy.net_J"
+            or "indents.0.hardness_Pa".
     """
 
     path: Path
@@ -52,12 +52,12 @@ class Sweep:
 
     @property
     def runs(self) -> Mapping[int, Run]:
-        """The finished runs by index, opened when asked for."""
+        """Finished runs by index; each is opened when it is accessed."""
         return _Runs(self.path, self.table["index"][self.table["status"] == "done"].tolist())
 
     @property
     def failures(self) -> pd.DataFrame:
-        """The rows of the runs that failed."""
+        """Rows of the table for the failed runs."""
         return self.table[self.table["status"] == "failed"]
 
     def __repr__(self) -> str:
@@ -82,10 +82,10 @@ class _Runs(Mapping[int, Run]):
 
 
 def open_sweep(path: str | Path) -> Sweep:
-    """Opens the folder of a sweep, also of one that is still going on.
+    """Opens the folder of a sweep, also of one that is still running.
 
     Raises:
-        InputError: there is none, or no run of it has ended.
+        InputError: the folder holds no sweep, or no run of it has ended.
     """
     path = Path(path)
     if read_record(path) is None or not (path / "table.parquet").is_file():
@@ -111,37 +111,39 @@ def sweep(
 ) -> Sweep:
     """Computes a case for many values of some of its keys.
 
-    What the folder already holds of this sweep is taken as it is. A run that fails is kept with its reason, one whose
-    process is killed is done again, from its checkpoint if it has one. Ctrl-C stops all runs; the next call goes on.
+    Finished runs of the same sweep in the folder are not computed again. A failed run is recorded with its reason. A
+    run whose process is killed is repeated, from its checkpoint if there is one. Ctrl-C stops all runs; the next call
+    resumes the sweep.
 
     A script needs ``if __name__ == "__main__":`` before the call, because each process imports the script.
 
     Args:
-        case: what is varied; or its file.
+        case: the case that is varied, or its file.
         over: values by dotted key of the case: a sequence; or text, "1:15:15" for a range with both ends, "200 GPa:220
             GPa:3" with a unit, "log:1:100:5" for equal ratios, "swift,voce" for choices; or a `Range` or `Choices`.
-            For a key that is a list, such as "indentation.load", numbers are those of its first entry, and the other
-            entries stay; "indentation.load.2" is the third one.
+            For a key that is a list, such as "indentation.load", numbers replace its first entry, and the other entries
+            are unchanged; "indentation.load.2" is the third entry.
         output: folder of the sweep.
-        design: "grid", all combinations; "list", the axes walked in step; "latin_hypercube", points drawn from ranges
-            without a count.
-        samples: points of a Latin hypercube.
-        seed: of its drawing.
-        workers: processes on this machine; None: as many as it has cores, or as `threads` leave. Not with `cluster`.
-        threads: of each run; None: what makes use of all cores; on a cluster as many as its worker has.
-        cluster: a Dask cluster instead: its address, scheduler file, cluster object or client.
-        progress: show a bar.
-        resume: go on with the same sweep in that folder; False: refuse a folder that holds one.
-        retry_failed: compute again what failed before; grid and solver of the case may then be others than before, and
-            the table tells of each run which it had.
+        design: "grid": all combinations; "list": the i-th values of all axes together; "latin_hypercube": random points
+            from ranges without a count.
+        samples: number of points of a Latin hypercube.
+        seed: seed of a Latin hypercube.
+        workers: number of processes on this machine; None: number of cores, divided by `threads` if given. Not allowed
+            with `cluster`.
+        threads: number of threads of each run; None: chosen to use all cores, on a cluster those of its worker.
+        cluster: Dask cluster that computes the runs instead: its address, scheduler file, cluster object or client.
+        progress: show a progress bar.
+        resume: resume the same sweep in the folder; False: an existing sweep in the folder is an error.
+        retry_failed: compute failed runs again. The keys of grid and solver may then differ from before; they become
+            columns of the table.
 
     Returns:
-        The table and the way to the runs.
+        The table, with access to the runs.
 
     Raises:
-        InputError: an axis, the design or the case at some point is wrong, before the first run; or the folder holds
-            another sweep.
-        IoError: the folder cannot be written, another sweep is working there, or the cluster is lost.
+        InputError: an axis, the design or the case at some point is invalid (checked before the first run), or the
+            folder holds another sweep.
+        IoError: the folder cannot be written, another sweep is using it, or the cluster is lost.
     """
     base = case if isinstance(case, Case) else Case.from_file(case)
     axes = _axes(over)
@@ -157,7 +159,7 @@ def sweep(
         "design": design,
         "samples": samples,
         "seed": seed if design == "latin_hypercube" else None,
-        "axes": {key: _told(axis) for key, axis in axes.items()},
+        "axes": {key: _axis_record(axis) for key, axis in axes.items()},
         "versions": _core.library_versions(),
         "case": base.to_toml(),
     }
@@ -191,17 +193,17 @@ def _axes(over: Mapping[str, Any]) -> dict[str, Axis]:
         if key in axes:
             raise InputError(f"{name} is an old name of {key}, which is an axis, too; keep one of them")
         if key != name:
-            tell_old_name(name, key)
+            warn_of_old_name(name, key)
         axes[key] = axis
     return axes
 
 
-def _told(axis: Axis) -> dict[str, Any]:
+def _axis_record(axis: Axis) -> dict[str, Any]:
     return {"values": list(axis.items)} if isinstance(axis, Choices) else asdict(axis)
 
 
 def _case_texts(base: Case, points: list[Point]) -> list[str]:
-    """The cases with all their defaults; what is wrong with any of them is told now."""
+    """Texts of the cases with all defaults; invalid cases raise an error before the first run."""
     texts = []
     table = table_of(base)
     with warnings.catch_warnings(record=True) as caught:
@@ -275,7 +277,7 @@ def _compute(tasks: list[Task], pool: Pool, ledger: Ledger, bar: Any) -> None:
 
 
 def _outcome(pool: Pool, future: Future[Outcome]) -> Outcome | None:
-    """None if the run has lost its process, or was stopped by somebody else than this sweep."""
+    """Outcome of a run; None if its process died, or it was stopped by something else than this sweep."""
     try:
         outcome = pool.collect(future)
     except Lost:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The folder of a sweep: what is computed (sweep.json), one folder per run, the table, and why runs failed.
+"""The folder of a sweep: its definition (sweep.json), one folder per run, the table, and the reasons of failures.
 
-All files are replaced in one piece, so that they can be read at any time.
+All files are replaced atomically, so that they can be read at any time.
 """
 
 from __future__ import annotations
@@ -37,19 +37,19 @@ __all__ = [
 
 FORMAT_VERSION = 1
 _FILES = ("table.csv", "table.parquet", "failures.json")
-"""What a sweep writes beside sweep.json, which comes first."""
-_UNTOLD = ("format", "format_version", "case", "complete", "scenario", "title", "versions")
-"""Entries of a summary that say nothing of the run's result."""
+"""Files that a sweep writes after sweep.json."""
+_NOT_RESULTS = ("format", "format_version", "case", "complete", "scenario", "title", "versions")
+"""Entries of a summary that are not results of the run."""
 _WRITING_SHARE = 0.05
-"""Of the time that may go into keeping the table current."""
+"""Fraction of the time that may be spent on updating the table."""
 
 
 @contextlib.contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Makes the folder and holds it for this process.
+    """Makes the folder and locks it for this process.
 
     Raises:
-        IoError: it cannot be made, or another sweep is working there.
+        IoError: the folder cannot be made, or another sweep is using it.
     """
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -69,24 +69,24 @@ def locked(path: Path) -> Iterator[None]:
 
 
 def run_folder(path: Path, index: int) -> Path:
-    """Of one run of the sweep in `path`."""
+    """Folder of one run of the sweep in `path`."""
     return path / "runs" / f"{index:06d}"
 
 
 def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool, retry_failed: bool = False) -> set[str]:
-    """Records what is computed, or compares it with what the folder already holds.
+    """Writes the definition of a sweep, or compares it with the one in the folder.
 
     Args:
-        path: of the sweep.
-        record: what is computed.
+        path: folder of the sweep.
+        record: definition of the sweep.
         resume: whether the folder may hold the same sweep.
-        retry_failed: whether grid and solver may be others than before; what is done stays as it is.
+        retry_failed: whether grid and solver may differ from before; finished runs are kept.
 
     Returns:
         Dotted keys of grid and solver in which runs of the folder differ from each other.
 
     Raises:
-        InputError: the folder holds another sweep, or one at all without `resume`; says what differs.
+        InputError: the folder holds another sweep (the text says what differs), or any sweep if `resume` is False.
     """
     earlier = read_record(path)
     if earlier is None:
@@ -103,7 +103,7 @@ def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool, retry_f
     now = json.loads(json.dumps(record))  # tuples become lists
     of_case = _case_differences(earlier["case"], now["case"])
     changed = {key for key in of_case if retry_failed and _is_numerical(key)}
-    differences = [told for key, told in of_case.items() if key not in changed]
+    differences = [text for key, text in of_case.items() if key not in changed]
     differences += _axis_differences({key_of_today(key): axis for key, axis in earlier["axes"].items()}, now["axes"])
     differences += [
         f"{key} was {earlier[key]}, is {now[key]}" for key in ("design", "samples", "seed") if earlier[key] != now[key]
@@ -124,10 +124,10 @@ def _write_record(path: Path, record: Mapping[str, Any]) -> None:
 
 
 def read_record(path: Path) -> dict[str, Any] | None:
-    """Content of sweep.json, None if there is none.
+    """Content of sweep.json; None if the file is missing.
 
     Raises:
-        InputError: it is damaged, or of another format.
+        InputError: the file is damaged, or has another format.
     """
     file = path / "sweep.json"
     try:
@@ -144,7 +144,7 @@ def read_record(path: Path) -> dict[str, Any] | None:
 
 
 def _case_differences(earlier: str, now: str) -> dict[str, str]:
-    """Dotted key and what is told of it."""
+    """Texts about the differences of two cases by dotted key."""
     before = flattened(case_of_today(tomllib.loads(earlier)), lists=True)
     after = flattened(tomllib.loads(now), lists=True)
     keys = [key for key in {**before, **after} if before.get(key) != after.get(key) and key not in HARMLESS]
@@ -152,20 +152,20 @@ def _case_differences(earlier: str, now: str) -> dict[str, str]:
 
 
 def _is_numerical(key: str) -> bool:
-    """Whether a key says how a case is computed instead of what."""
+    """Whether a key belongs to the numerical method (grid or solver) and not to the physical problem."""
     return key.startswith(("grid.", "solver."))
 
 
 def _axis_differences(earlier: Mapping[str, Any], now: Mapping[str, Any]) -> list[str]:
     keys = [key for key in {**earlier, **now} if earlier.get(key) != now.get(key)]
-    told = [f"the axis {key} was {_axis_text(earlier.get(key))}, is {_axis_text(now.get(key))}" for key in keys]
-    if not told and list(earlier) != list(now):
-        told = [f"the axes were in the order {', '.join(earlier)}, are in the order {', '.join(now)}"]
-    return told
+    texts = [f"the axis {key} was {_axis_text(earlier.get(key))}, is {_axis_text(now.get(key))}" for key in keys]
+    if not texts and list(earlier) != list(now):
+        texts = [f"the axes were in the order {', '.join(earlier)}, are in the order {', '.join(now)}"]
+    return texts
 
 
 def _axis_text(axis: Any) -> str:
-    """As it is written behind --over."""
+    """An axis as it is written after --over."""
     if not isinstance(axis, Mapping) or "start" not in axis:
         return _short(axis)
     unit = f" {axis['unit']}" if axis.get("unit") else ""
@@ -174,23 +174,23 @@ def _axis_text(axis: Any) -> str:
 
 
 _LONGEST = 60
-"""Characters of a value in a message."""
+"""Largest number of characters of a value in a message."""
 
 
 def _short(value: object) -> str:
     text = "not set" if value is None else json.dumps(value)
     if len(text) <= _LONGEST:
         return text
-    end = max(text.rfind(mark, 0, _LONGEST) for mark in ", ")  # between two words
+    end = max(text.rfind(mark, 0, _LONGEST) for mark in ", ")  # cut between two words
     return text[: end if end > 0 else _LONGEST].rstrip(", ") + " ..."
 
 
 def flattened(entry: Mapping[str, Any], *, lists: bool = False) -> dict[str, Any]:
-    """Dotted keys of nested tables; tables in a list are numbered from 0.
+    """Flattens nested tables to dotted keys; tables in a list are numbered from 0.
 
     Args:
         entry: the tables.
-        lists: keep lists of numbers; else they are left out.
+        lists: whether lists of numbers are kept or left out.
     """
     flat: dict[str, Any] = {}
 
@@ -211,13 +211,13 @@ class Ledger:
     """The rows of the table and the failures, kept current on disk while runs finish."""
 
     def __init__(self, path: Path, points: list[Point], texts: list[str], changed: Collection[str] = ()):
-        """Reads what an earlier sweep has left there.
+        """Reads the results of an earlier call from the folder.
 
         Args:
-            path: of the sweep.
-            points: the values of the axes of each run.
-            texts: the cases, with all their defaults.
-            changed: keys that are not the same in all runs, though no axes; they become columns.
+            path: folder of the sweep.
+            points: values of the axes of each run.
+            texts: text of the case of each run, with all defaults.
+            changed: keys that differ between runs although they are not axes; they become columns of the table.
         """
         self._path = path
         self._points = points
@@ -234,7 +234,7 @@ class Ledger:
                 self._put(Outcome(index, "failed", **self._failures[str(index)]))
 
     def missing(self, *, retry_failed: bool) -> list[int]:
-        """Numbers of the runs that are to be computed."""
+        """Indices of the runs that have to be computed, with `retry_failed` including the failed ones."""
         if retry_failed:
             self._rows = {index: row for index, row in self._rows.items() if row["status"] == "done"}
             self._failures = {}
@@ -242,14 +242,14 @@ class Ledger:
 
     @property
     def failed(self) -> int:
-        """How many runs have failed."""
+        """Number of failed runs."""
         return len(self._failures)
 
     def __len__(self) -> int:
         return len(self._rows)
 
     def add(self, outcome: Outcome) -> None:
-        """Takes in a run that is done or has failed."""
+        """Adds the outcome of a finished or failed run."""
         self._put(outcome)
         now = time.perf_counter()
         if now >= self._next_writing:
@@ -280,11 +280,11 @@ class Ledger:
             }
         else:
             row["wall_time_s"] = outcome.summary["run"]["wall_time_s"]
-        told = {key: value for key, value in outcome.summary.items() if key not in _UNTOLD}
-        self._rows[index] = row | flattened(told)
+        results = {key: value for key, value in outcome.summary.items() if key not in _NOT_RESULTS}
+        self._rows[index] = row | flattened(results)
 
     def table(self) -> pd.DataFrame:
-        """One row per run that is done or has failed, in their order."""
+        """Table with one row per finished or failed run, in the order of the runs."""
         frame = pd.DataFrame([self._rows[index] for index in sorted(self._rows)])
         for name, column in frame.items():
             kinds = {isinstance(value, str) for value in column.dropna()}
@@ -302,7 +302,7 @@ class Ledger:
 
 
 def without_formulas(frame: pd.DataFrame) -> pd.DataFrame:
-    """The same for a spreadsheet, which would compute texts that look like formulas: they get an apostrophe."""
+    """Protects texts that a spreadsheet would evaluate as formulas by an apostrophe in front."""
     return frame.map(lambda cell: f"'{cell}" if _is_formula(cell) else cell)
 
 
@@ -317,7 +317,7 @@ def _is_formula(cell: object) -> bool:
 
 
 def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:
-    """The value of a dotted key, or of an entry of a list, as the case has it, in SI."""
+    """Value in SI units of a dotted key, or of an entry of a list, in a case; `otherwise` if it is missing."""
     of_list = entry_of(key, otherwise)
     if of_list is not None:
         whole = _at(case, of_list[0], [])
@@ -330,7 +330,7 @@ def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:
         elif isinstance(entry, Mapping) and part in entry:
             entry = entry[part]
         else:
-            return otherwise  # a file, say, whose content stands in the case
+            return otherwise  # for example the key of a file whose content is stored in the case instead
     return entry
 
 

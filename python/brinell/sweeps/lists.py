@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Axes over entries of lists: ``indentation.load=10:200:12`` varies the first load of the case, the others stay.
+"""Axes over entries of lists: ``indentation.load=10:200:12`` varies the first load of the case, not the others.
 
-``indentation.load.2=...`` varies the third one. A list as a value, ``[10, 0],[20, 0]``, replaces the whole.
+``indentation.load.2=...`` varies the third load. Values that are lists, ``[10, 0],[20, 0]``, replace the whole list.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ _NUMBERED = re.compile(r"(.+)\.(\d+)")
 
 
 def key_of_today(key: str) -> str:
-    """The key itself, or the one that it is called now; of an old list the first entry."""
+    """Present name of a key; for an old key that is now in a list, its first entry."""
     return _OLD_NAMES.get(key, key)
 
 
 def entry_of(key: str, given: object) -> tuple[str, int] | None:
-    """The list and the index in it that a value of an axis is meant for; None if it is the value of the key itself."""
+    """List and index that a value of an axis refers to; None if it is the value of the key itself."""
     if key in _LISTS:
         return None if isinstance(given, list | tuple) else (key, 0)
     numbered = _NUMBERED.fullmatch(key)
@@ -37,11 +37,11 @@ def entry_of(key: str, given: object) -> tuple[str, int] | None:
 
 
 def with_whole_lists(point: Point, table: Mapping[str, Any]) -> Point:
-    """The same with lists of the case in place of their entries.
+    """Replaces values for entries of lists by the whole lists of the case with these entries.
 
     Args:
         point: values of the axes.
-        table: the case, as `table_of` gives it.
+        table: the case, as returned by `table_of`.
 
     Raises:
         InputError: the list of the case has no such entry.
@@ -63,7 +63,7 @@ def with_whole_lists(point: Point, table: Mapping[str, Any]) -> Point:
 
 
 def table_of(case: Case) -> dict[str, Any]:
-    """The case as nested tables, with its defaults, SI."""
+    """The case as nested tables with all defaults, in SI units."""
     return tomllib.loads(case.to_toml())
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One run of a sweep, as a worker computes it: importable, no display, all that it tells is text and numbers."""
+"""One run of a sweep in a worker: the module can be imported anywhere, and outcomes are only text and numbers."""
 
 from __future__ import annotations
 
@@ -20,49 +20,50 @@ from brinell.results import RunError, open_run
 __all__ = ["HARMLESS", "ONE_AT_A_TIME", "Outcome", "Task", "compute", "finished_summary", "stopped"]
 
 HARMLESS = ("grid.extent",)
-"""Keys of a case that decide where a run begins, not what comes out: grids grow as far as they must."""
+"""Keys of a case that do not affect the result: they set the initial extent of grids, which grow as needed."""
 ONE_AT_A_TIME = threading.Lock()
-"""A process computes one case at a time, with all its threads: a Dask worker may call from several threads."""
+"""Lock by which a process computes one case at a time: a Dask worker may call from several threads."""
 
 
 @dataclass(frozen=True)
 class Task:
-    """What a worker needs to know."""
+    """Description of a run for a worker."""
 
     index: int
     text: str
-    """The case with all its defaults filled in, as TOML; it needs no other file."""
+    """The case with all defaults filled in, as TOML; it refers to no other file."""
     folder: str
+    """Folder of the run."""
     threads: int
-    """0: as the worker decides."""
+    """Number of threads; 0: as the worker decides."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a worker tells."""
+    """Outcome of a run, as a worker reports it."""
 
     index: int
     status: Literal["done", "failed", "stopped"]
     wall_time: float = 0.0
-    """Spent here [s]; less than that of the run if it was resumed."""
+    """Time spent by this worker [s]; less than the time of the whole run if the run was resumed."""
     reason: str = ""
     traceback: str = ""
     summary: dict[str, Any] = field(default_factory=dict)
 
 
 class _StopRequest(Exception):  # noqa: N818 (no error)
-    """Raised between two steps."""
+    """Raised between two steps to stop a run."""
 
 
 def compute(task: Task, wants_stop: Callable[[], bool]) -> Outcome:
-    """Computes one run, or goes on with it from its checkpoint, or takes it as it is if it is complete.
+    """Computes one run, resumes it from its checkpoint, or returns its results if it is complete.
 
     Args:
-        task: what to compute.
-        wants_stop: asked before the run and after each step.
+        task: description of the run.
+        wants_stop: function that is called before the run and after each step; True stops the run.
 
     Returns:
-        Its outcome; errors are told, not raised.
+        The outcome; errors are reported in it and not raised.
     """
     with ONE_AT_A_TIME:
         start = time.perf_counter()
@@ -84,16 +85,16 @@ def compute(task: Task, wants_stop: Callable[[], bool]) -> Outcome:
 
 
 def stopped(task: Task) -> Outcome:
-    """The outcome of a run that was asked to stop; what it has finished is kept in its folder."""
+    """Outcome of a run that was stopped on request; its finished steps are kept in its folder."""
     return Outcome(task.index, "stopped")
 
 
 def finished_summary(folder: str | Path, text: str, other: Collection[str] = ()) -> dict[str, Any] | None:
-    """The summary of a complete run of this very case; None if there is none.
+    """Summary of a complete run of exactly this case; None if there is none.
 
     Args:
-        folder: of the run.
-        text: the case with all its defaults filled in.
+        folder: folder of the run.
+        text: text of the case with all defaults filled in.
         other: dotted keys in which the run may differ from the case.
     """
     try:
@@ -125,15 +126,15 @@ def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
             raise _StopRequest
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", CaseWarning)  # told once, before the first run
+        warnings.simplefilter("ignore", CaseWarning)  # issued once, before the first run
         case = Case(task.text, file=Path(task.folder) / "case.toml")
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ResolutionWarning)  # in the summary of each point
+        warnings.simplefilter("ignore", ResolutionWarning)  # stored in the summary of each run
         _compute(case, task, on_step, lambda: began)
 
 
 def _compute(case: Case, task: Task, on_step: Callable[..., None], began: Callable[[], bool]) -> None:
-    """Goes on with what is there, if anything is."""
+    """Resumes the run in its folder if possible, otherwise computes it from the start."""
     if Path(task.folder).exists():
         try:
             case.run(task.folder, progress=on_step, threads=task.threads or None, resume=True)
@@ -143,5 +144,5 @@ def _compute(case: Case, task: Task, on_step: Callable[..., None], began: Callab
         except (InputError, IoError):
             if began():
                 raise
-            # Nothing there to go on from: no checkpoint, another case, another build, a damaged file.
+            # The run cannot be resumed: no checkpoint, another case, another build, or a damaged file.
     case.run(task.folder, progress=on_step, threads=task.threads or None)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who computes the runs: processes of this machine, or the workers of a Dask cluster.
+"""Pools that compute the runs: processes of this machine, or workers of a Dask cluster.
 
-Both take a `Task`, give a future of concurrent.futures, and make an `Outcome` of it when it is done.
+Both take a `Task`, return a future of concurrent.futures, and convert a finished future to an `Outcome`.
 """
 
 from __future__ import annotations
@@ -27,47 +27,51 @@ __all__ = ["DaskPool", "LocalPool", "Lost", "Pool"]
 
 
 class Lost(Exception):  # noqa: N818 (the driver mends it)
-    """A run whose process came to a sudden end; it may be submitted again."""
+    """The process of a run died; the run may be submitted again."""
 
 
 class Pool(Protocol):
-    """What the driver needs."""
+    """Interface of the pools for the driver."""
 
     threads: int
-    """For each run; 0: as the worker decides."""
+    """Number of threads of each run; 0: as the worker decides."""
 
     @property
     def has_room(self) -> bool:
         """Whether another task may be submitted now."""
 
     def submit(self, task: Task) -> Future[Outcome]:
-        """Begins a task."""
+        """Starts a task."""
 
     def collect(self, future: Future[Outcome]) -> Outcome:
-        """What came of a task that is done. Raises `Lost`."""
+        """Outcome of a finished task.
+
+        Raises:
+            Lost: the process of the task died.
+        """
 
     def losses(self) -> list[str]:
-        """What has come to a sudden end since this was asked before, in words."""
+        """Messages about processes or workers that have died since the last call."""
 
     def stop(self) -> None:
-        """Asks all runs to stop; their outcomes still come."""
+        """Requests all runs to stop; their outcomes can still be collected."""
 
     def close(self) -> None:
-        """Ends the workers of this machine, leaves those of others."""
+        """Ends the processes of this machine, or disconnects from the cluster."""
 
 
 class LocalPool:
-    """Processes of this machine, each with a pool of its own: one that is killed takes no other run with it."""
+    """Processes of this machine, each in an executor of its own so that a killed process affects only one run."""
 
     def __init__(self, workers: int, threads: int):
-        """Starts the first process, to see that processes can be started.
+        """Starts the first process, to check that processes can be started.
 
         Args:
-            workers: processes.
-            threads: of each run.
+            workers: number of processes.
+            threads: number of threads of each run.
 
         Raises:
-            BrinellError: they cannot.
+            BrinellError: no process can be started.
         """
         script = getattr(sys.modules["__main__"], "__file__", None)
         if script is not None and not Path(script).is_file():
@@ -103,7 +107,11 @@ class LocalPool:
         return future
 
     def collect(self, future: Future[Outcome]) -> Outcome:
-        """What came of a task; its process is idle again, or replaced when it is needed."""
+        """Outcome of a finished task; its process becomes idle, or is replaced if it has died.
+
+        Raises:
+            Lost: the process died.
+        """
         executor = self._executors.pop(future)
         try:
             outcome = future.result()
@@ -116,9 +124,9 @@ class LocalPool:
         return outcome
 
     def losses(self) -> list[str]:
-        """Processes that were killed or ran out of memory."""
-        told, self._losses = self._losses, []
-        return told
+        """Messages about processes that were killed or ran out of memory, since the last call."""
+        losses, self._losses = self._losses, []
+        return losses
 
     def _executor(self) -> ProcessPoolExecutor:
         context = multiprocessing.get_context("spawn")  # a fork would copy the state of OpenMP's threads
@@ -139,7 +147,7 @@ class LocalPool:
 
 @contextlib.contextmanager
 def _ctrl_c_held() -> Iterator[None]:
-    """Ctrl-C at a terminal goes to all processes. One that is started in here never gets it: it stops by word."""
+    """Blocks Ctrl-C for processes started inside the context; the terminal sends it to all, they stop by the pipe."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -148,16 +156,16 @@ def _ctrl_c_held() -> Iterator[None]:
 
 
 _STOP = threading.Event()
-"""Set in a process of a `LocalPool` that shall stop."""
+"""Event that is set in a process of a `LocalPool` to stop it."""
 
 
 def _begin(teller: Connection) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # but while a run is going on
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # outside of a run
     threading.Thread(target=_heed, args=(teller,), daemon=True).start()
 
 
 def _heed(teller: Connection) -> None:
-    """Interrupts the run when the other end of the pipe closes, by word or by death of that process."""
+    """Interrupts the run when the other end of the pipe closes, on request or because the parent process died."""
     with contextlib.suppress(EOFError, OSError):
         teller.recv()
     _STOP.set()
@@ -180,15 +188,15 @@ def _compute_here(task: Task) -> Outcome:
 
 
 class DaskPool:
-    """Workers of a Dask cluster; they see the folder of the sweep under the same path."""
+    """Workers of a Dask cluster; the folder of the sweep must have the same path on all of them."""
 
     def __init__(self, cluster: Any, stop_file: Path, threads: int):
         """Connects to the cluster.
 
         Args:
-            cluster: address of a scheduler, path of its scheduler file, a cluster or a client of Dask.
-            stop_file: in the sweep's folder; runs stop while it exists.
-            threads: of each run; 0: as many as its worker has.
+            cluster: address of a scheduler, path of a scheduler file, or a cluster or client object of Dask.
+            stop_file: file in the sweep's folder; runs stop while it exists.
+            threads: number of threads of each run; 0: as many as its worker has.
 
         Raises:
             IoError: the cluster does not answer.
@@ -216,7 +224,7 @@ class DaskPool:
 
     @property
     def has_room(self) -> bool:
-        """Always: an adaptive cluster grows with what is submitted."""
+        """Always true: the scheduler queues tasks, and an adaptive cluster grows with them."""
         return True
 
     def submit(self, task: Task) -> Future[Outcome]:
@@ -226,7 +234,7 @@ class DaskPool:
         return future
 
     def collect(self, future: Future[Outcome]) -> Outcome:
-        """What came of a task; one that several workers in turn did not survive has failed."""
+        """Outcome of a finished task; a task during which several workers died has failed."""
         from distributed import KilledWorker
 
         task = self._tasks.pop(future)
@@ -236,11 +244,11 @@ class DaskPool:
             return Outcome(task.index, "failed", reason=f"its worker was lost again and again: {error}")
         except CancelledError as error:
             raise IoError("the Dask cluster is lost; the same sweep goes on with what is missing") from error
-        except Exception as error:  # not of the run, whose errors are told in its outcome
+        except Exception as error:  # not an error of the run, which would be in its outcome
             raise BrinellError(f"a worker of the cluster cannot compute; has it the same brinell? {error}") from error
 
     def losses(self) -> list[str]:
-        """Workers that have left the cluster: killed, out of memory, or sent away as not needed."""
+        """Messages about workers that have left the cluster: killed, out of memory, or retired by the scheduler."""
         before, self._workers = self._workers, self._addresses()
         return [f"the worker {one} has left; its run goes to another one" for one in sorted(before - self._workers)]
 
@@ -248,11 +256,11 @@ class DaskPool:
         return set(self._client.scheduler_info(n_workers=-1)["workers"])
 
     def stop(self) -> None:
-        """Runs stop after their step; those not yet begun return at once."""
+        """Requests all runs to stop after their current step; runs that have not started return at once."""
         self._stop_file.touch()
 
     def close(self) -> None:
-        """Disconnects; after an error the runs that are left stop, too."""
+        """Disconnects from the cluster; after an error the remaining runs are stopped."""
         if self._tasks:
             self.stop()
             self._executor.shutdown(wait=False)
