@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 
 import brinell
 from brinell._toml import tomllib
-from brinell.plot import slip
+from brinell.plot import slip, style
+from brinell.report.volumes import pictures_of
 from brinell.results import Run, RunError
 from brinell.scenarios.fretting import TRAITS
 from figure_parts import curve, legend_of, texts
@@ -38,6 +39,16 @@ def run() -> Run:
 def run_across() -> Run:
     """By force, along y."""
     return fretting(displacement=None, force="15 N", direction="90 deg", title="by force").run(in_memory=True)
+
+
+@pytest.fixture(scope="module")
+def run_soft() -> Run:
+    """The flat yields."""
+    soft = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "2 GPa")))
+    ball = brinell.Body(brinell.Sphere("1 mm"), STEEL)
+    motion: dict = {"displacement": "0.5 um", "steps_per_cycle": 8, "press_steps": 4}
+    friction = brinell.Interface(friction=0.6)
+    return brinell.Fretting(soft, ball, load="10 N", interface=friction, grid={"resolution": 5}, **motion).run()
 
 
 def test_it_is_that_of_the_case_file() -> None:
@@ -222,19 +233,14 @@ def test_states_in_which_all_sticks_or_all_slips(run: Run) -> None:
     texts(brinell.plot.contact_profiles([far]))
 
 
-def test_a_surface_that_yields_slips_below_friction_times_pressure() -> None:
+def test_a_surface_that_yields_slips_below_friction_times_pressure(run_soft: Run) -> None:
     """As much sticks in the figure as the history tells."""
-    soft = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "2 GPa")))
-    ball = brinell.Body(brinell.Sphere("1 mm"), STEEL)
-    motion: dict = {"displacement": "0.5 um", "steps_per_cycle": 8, "press_steps": 4}
-    friction = brinell.Interface(friction=0.6)
-    run = brinell.Fretting(soft, ball, load="10 N", interface=friction, grid={"resolution": 5}, **motion).run()
-    turn = run.snapshot("aligned")
+    turn = run_soft.snapshot("aligned")
     row = turn.row
     assert row["share_at_shear_limit"] > 0.1
     below = slip.sticks(turn.contact, FRICTION * turn.contact.pressure).sum() / (turn.contact.pressure > 0.0).sum()
     assert below == pytest.approx(row["stick_share"] + row["share_at_shear_limit"])
-    assert f"sticks\n{100 * row['stick_share']:.0f} %" in texts(brinell.plot.contact_maps([run]))
+    assert f"sticks\n{100 * row['stick_share']:.0f} %" in texts(brinell.plot.contact_maps([run_soft]))
 
 
 def test_a_state_without_contact_maps_is_named() -> None:
@@ -251,6 +257,17 @@ def test_course(run: Run) -> None:
     fig = brinell.plot.fretting_course([run])
     np.testing.assert_allclose(fig.axes[0].lines[0].get_ydata(), 1e9 * run.history["displacement"])
     texts(fig)
+
+
+def test_the_end_is_headed_by_what_it_is(run_soft: Run) -> None:
+    """Fretting does not unload."""
+    groups = {one.name: one.group for one in brinell.plot.standard_figures(run_soft)}
+    assert groups["residual-section"] == groups["residual-surfaces"] == "end"
+    assert "residual" not in groups.values()
+    final = run_soft.snapshot("final", tensors=True)
+    assert final.in_contact
+    pictures = pictures_of(run_soft.snapshot("aligned"), final)
+    assert {one["state"] for one in pictures.volumes} == {"under load", "at the end, under load"}
 
 
 def test_all_figures_of_a_run(run: Run) -> None:
