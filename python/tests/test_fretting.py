@@ -8,7 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
+from matplotlib.quiver import Quiver, QuiverKey
 
 import brinell
 from brinell._toml import tomllib
@@ -195,6 +197,20 @@ def test_loops_of_several_runs(run: Run, run_across: Run) -> None:
     texts(brinell.plot.fretting_course([run, run_across]))
 
 
+def test_limits_have_the_colours_of_their_loops(run: Run, run_across: Run) -> None:
+    """Grey where runs share them."""
+    rough = fretting(interface=brinell.Interface(friction=0.4), title="less friction").run(in_memory=True)
+    ax = brinell.plot.force_loops([run, rough, run_across]).axes[0]
+    limits = {
+        round(float(line.get_ydata()[0]), 6): to_hex(line.get_color())
+        for line in ax.lines
+        if line.get_linewidth() == 0.9
+    }
+    assert limits.keys() == {-30.0, -20.0, 20.0, 30.0}
+    assert limits[20.0] == limits[-20.0] == to_hex(curve(ax, "less friction").get_color())
+    assert limits[30.0] == limits[-30.0] == style.REFERENCE
+
+
 def test_profiles(run: Run, run_across: Run) -> None:
     for one, along in ((run, "x"), (run_across, "y")):
         contact = one.snapshot("aligned").contact
@@ -216,6 +232,70 @@ def test_maps(run: Run, cells: bool) -> None:
     written = texts(fig)
     assert {f"sticks\n{100 * share:.0f} %", f"slips\n{100 * (1 - share):.0f} %"} <= set(written)
     assert any("cycle 1" in text for text in written)
+
+
+def test_a_key_tells_how_long_the_arrows_of_the_shear_are(run: Run) -> None:
+    fig = brinell.plot.contact_maps([run])
+    (arrows,), (key,) = fig.findobj(Quiver), fig.findobj(QuiverKey)
+    contact = run.snapshot("aligned").contact
+    value, unit = key.text.get_text().split()
+    assert unit == "MPa"
+    largest_drawn = np.hypot(arrows.U, arrows.V).max()
+    middle = [np.argmin(np.abs(axis)) for axis in (contact.y, contact.x)]
+    at_middle = np.hypot(arrows.U, arrows.V)[np.argmin(np.hypot(arrows.X, arrows.Y))]
+    assert key.U / at_middle == pytest.approx(1e6 * float(value) / contact.shear_x[tuple(middle)], rel=0.02)
+    assert 0.5 * largest_drawn < key.U
+
+
+@pytest.mark.parametrize("size", [0.02, 1.0, 4.18e8, 9.99e8, 1e9])
+def test_the_key_is_a_round_number(size: float) -> None:
+    told = slip._round_below(size)
+    assert 0.5 * size < told <= size * (1.0 + 1e-12)
+    assert float(f"{told:.0e}") == pytest.approx(told)
+
+
+def test_the_coordinate_along_the_motion_is_no_creepage(run: Run) -> None:
+    assert brinell.plot.contact_profiles([run]).axes[1].get_xlabel() == r"along the motion  $x_\parallel$  [µm]"
+
+
+def test_heat_of_friction_is_that_of_the_cells(run: Run) -> None:
+    fig = brinell.plot.contact_heat([run], cells=True)
+    last_turn = run.snapshot(29)  # two steps press, of 16 per cycle the twelfth is the second turn
+    heat, touching = last_turn.contact.friction_heat, last_turn.contact.pressure > 0.0
+    shown = fig.axes[0].images[0].get_array()
+    np.testing.assert_array_equal(shown.mask, ~touching)
+    np.testing.assert_allclose(shown[touching], heat[touching])
+    written = texts(fig)
+    assert "heat of friction per area  $w^f$  [J/m²]" in written
+    assert any("since the start" in text and "step 29,  cycle 2" in text for text in written)
+
+
+def test_edges_in_the_heat_of_friction_are_named(run: Run, run_across: Run) -> None:
+    assert legend_of(brinell.plot.contact_heat([run]).axes[0]) == ["edge of the contact", "edge of what sticks"]
+    assert brinell.plot.contact_heat([run, run_across]) is None
+    # By force: its turns are those of the force.
+    assert any("step 13,  cycle 1" in text for text in texts(brinell.plot.contact_heat([run_across])))
+
+
+def test_heat_of_friction_in_plane_strain_is_a_line() -> None:
+    roller = brinell.Body(brinell.Cylinder("10 mm"), STEEL)
+    flat = brinell.Fretting(
+        FLAT,
+        roller,
+        load="0.1 MN",
+        displacement="0.5 um",
+        steps_per_cycle=8,
+        press_steps=2,
+        interface=brinell.Interface(friction=FRICTION),
+        grid={"resolution": 8, "boundary": ["open", "periodic"]},
+    ).run(in_memory=True)
+    fig = brinell.plot.contact_heat([flat])
+    assert set(legend_of(fig.axes[0])) == {"sticks", "edge of the contact"}
+    heat = flat.snapshot(7).contact.friction_heat
+    unit = {"kJ/m²": 1e3, "J/m²": 1.0, "mJ/m²": 1e-3}[fig.axes[0].get_ylabel().partition("[")[2].rstrip("]")]
+    line = max(fig.axes[0].lines, key=lambda one: len(one.get_xdata()))
+    assert np.max(line.get_ydata()) == pytest.approx(heat.max() / unit)
+    texts(fig)
 
 
 def test_states_in_which_all_sticks_or_all_slips(run: Run) -> None:

@@ -65,7 +65,8 @@ def _thinned(handles: Sequence[Look]) -> list[Look]:
 def force_loops(runs: Sequence[Run]) -> Figure | None:
     """Force over displacement: all cycles of a single run, the last cycle of each of several; dashed, friction's limit.
 
-    None if nothing has moved.
+    The limit of a run among several has the colour of its loop, or is grey where it is that of several runs. None if
+    nothing has moved.
     """
     shown = entries(runs, "fretting")
     lines = _loop_lines(shown)
@@ -106,9 +107,12 @@ def _loop_lines(shown: Sequence[Entry]) -> list[tuple[FloatArray, FloatArray, Lo
 
 def _draw_limits(ax: Axes, shown: Sequence[Entry], force: Scale) -> None:
     """Friction times load, at the largest load while the bodies move."""
-    for limit in {_friction(entry.run) * _moving_load(entry.run) / force.size for entry in shown}:
+    limits = [_friction(entry.run) * _moving_load(entry.run) / force.size for entry in shown]
+    for entry, limit in zip(shown, limits, strict=True):
+        shared = len(shown) == 1 or sum(bool(np.isclose(limit, other, rtol=1e-3)) for other in limits) > 1
+        colour = style.REFERENCE if shared else entry.look["color"]
         for sign in (1.0, -1.0):
-            ax.axhline(sign * limit, **_BOUND, zorder=0.6)
+            ax.axhline(sign * limit, **_BOUND | {"color": colour}, zorder=0.6)
 
 
 def _state(run: Run, which: Which) -> Snapshot | None:

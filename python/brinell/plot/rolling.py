@@ -255,14 +255,14 @@ def _scale_of(values: Sequence[FloatArray], unit: str) -> Scale:
 _OF_CREEP = (
     ("F_x", "force along", "F_x/(fP)"),
     ("F_y", "force across", "F_y/(fP)"),
-    ("M_z", "moment", "M_z/(fPa)"),
+    ("M_z", "moment", "M_z/(fPa)$\ncontact area $\\pi a^2"),
     ("stick_share", "share that sticks", ""),
 )
 """Column, name, symbol. Forces are over friction times load, the moment over that times the radius of a circle of the
-contact's area."""
+contact's area A."""
 
 
-def _creeps(run: Run) -> bool:
+def creeps(run: Run) -> bool:
     """Whether the surfaces stick and slip."""
     return run.case("rolling", "creepage") is not None or run.case("rolling", "spin") is not None
 

@@ -211,6 +211,9 @@ def _image(
         interpolation="nearest",
     )
     if not cells:
+        # Even the refined cells show as steps: cut them along the edge.
+        place = (contact.x / length.size, contact.y / length.size)
+        ax.contourf(*place, edge, levels=[edge.min() - 1.0, 0.0], colors="white")
         _outline(ax, state, edge, length, "black")
     return image
 
@@ -244,7 +247,7 @@ def _draw_arrows(ax: Axes, state: _Tangential, length: Scale) -> None:
     chosen[_about_middle(rows, stride)[:, None], _about_middle(columns, stride)] = True
     j, i = np.nonzero(chosen & touching)
     step = stride * float(contact.x[1] - contact.x[0]) / length.size
-    ax.quiver(
+    arrows = ax.quiver(
         contact.x[i] / length.size,
         contact.y[j] / length.size,
         state.shear[0][j, i] / most * step,
@@ -258,6 +261,24 @@ def _draw_arrows(ax: Axes, state: _Tangential, length: Scale) -> None:
         edgecolor="black",
         linewidth=0.4,
     )
+    told = _round_below(most)
+    ax.quiverkey(
+        arrows,
+        0.89,
+        0.05,
+        told / most * step,
+        style.quantity(told, "Pa"),
+        coordinates="axes",
+        labelpos="W",
+        labelsep=0.05,
+        fontproperties={"size": 8},
+    )
+
+
+def _round_below(value: float) -> float:
+    """The largest number of one digit that is not larger; of a value > 0."""
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(max(n for n in range(1, 10) if n * power <= value * (1.0 + 1e-12)) * power)
 
 
 def _about_middle(indices: NDArray[np.intp], stride: int) -> NDArray[np.intp]:
@@ -371,7 +392,7 @@ def stick_slip_profiles(states: Sequence[tuple[Run, Snapshot, Look]]) -> Figure:
     upper.set_ylabel(shear.label("shear", "q"))
     lower.set_title(f"(b)  slip since {_since([run for run, _, _ in states])}")
     lower.set_ylabel(slip.label("slip", "s"))
-    lower.set_xlabel(length.label("along the motion", r"\xi"))
+    lower.set_xlabel(length.label("along the motion", r"x_\parallel"))
     if alone:
         upper.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0)
     legend_beside(upper, [look for _, _, look in states])
