@@ -16,7 +16,14 @@ from brinell.plot.asperities import friction_over_load, passes_map
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
-from brinell.plot.fretting import contact_maps, contact_profiles, cycle_by_cycle, force_loops, fretting_course
+from brinell.plot.fretting import (
+    contact_heat,
+    contact_maps,
+    contact_profiles,
+    cycle_by_cycle,
+    force_loops,
+    fretting_course,
+)
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
@@ -26,6 +33,7 @@ from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import (
     along_track,
     creep_forces,
+    creep_heat,
     creep_maps,
     creep_profiles,
     depth_profiles,
@@ -37,7 +45,7 @@ from brinell.plot.run_in import surfaces_before_and_after
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
 from brinell.plot.sliding import along_way, stroke_by_stroke
-from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import friction_heat_map, stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
@@ -51,11 +59,14 @@ __all__ = [
     "along_way",
     "animate",
     "contact_fraction",
+    "contact_heat",
     "contact_maps",
     "contact_patches",
     "contact_pressure",
     "contact_profiles",
+    "creep_curve",
     "creep_forces",
+    "creep_heat",
     "creep_maps",
     "creep_profiles",
     "cycle_by_cycle",
@@ -68,6 +79,7 @@ __all__ = [
     "fig15",
     "force_loops",
     "fretting_course",
+    "friction_heat_map",
     "friction_over_load",
     "gap_map",
     "imprint",

@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from brinell.plot import style
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps, stick_slip_profiles
 from brinell.results import Run, Snapshot
 
-__all__ = ["contact_maps", "contact_profiles", "cycle_by_cycle", "force_loops", "fretting_course"]
+__all__ = ["contact_heat", "contact_maps", "contact_profiles", "cycle_by_cycle", "force_loops", "fretting_course"]
 
 FloatArray = NDArray[np.float64]
 Which = int | Literal["aligned", "final"]
@@ -139,6 +139,34 @@ def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool =
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
     return stick_slip_maps(runs[0], snapshot, cells=cells)
+
+
+@of_runs
+def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool = False) -> Figure | None:
+    """Energy that friction has dissipated per area since the start, with what sticks, of a single run.
+
+    None of several runs, and if the state has no heat of friction.
+
+    Args:
+        runs: one.
+        which: number of a stored step; "aligned", the first turn; "final"; or None, the last turn that is stored.
+        cells: show each cell as a rectangle of one colour.
+    """
+    require_scenario(runs, "fretting")
+    if len(runs) > 1:
+        return None
+    snapshot = _state(runs[0], _last_turn(runs[0]) if which is None else which)
+    if snapshot is None or not has_friction_heat(snapshot):
+        return None
+    return friction_heat_map(runs[0], snapshot, cells=cells)
+
+
+def _last_turn(run: Run) -> Which:
+    """The last stored step in which the motion is as far as it goes: there the least of the contact sticks."""
+    imposed = np.abs(run.history["force" if run.case("fretting", "force") is not None else "displacement"])
+    at = dict(zip(run.history["step"].astype(int).tolist(), imposed.tolist(), strict=True))
+    turns = [step for step in run.steps if at.get(step, 0.0) >= (1.0 - 1e-6) * imposed.max(initial=0.0) > 0.0]
+    return turns[-1] if turns else "aligned"
 
 
 @of_runs

@@ -20,16 +20,19 @@ from brinell.plot import style
 from brinell.plot.cells import at_centre
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps, stick_slip_profiles
 from brinell.results import BodyFields, History, Run, Snapshot
 
 __all__ = [
     "along_track",
     "creep_forces",
+    "creep_heat",
     "creep_maps",
     "creep_profiles",
+    "creeps",
     "depth_profiles",
     "pass_by_pass",
+    "rolled",
     "track_profile",
 ]
 
@@ -343,6 +346,24 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
     return stick_slip_maps(runs[0], snapshot, cells=cells)
+
+
+@of_runs
+def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+    """Energy that friction has dissipated per area since each place came under the contact, with what sticks.
+
+    Of a single run; None of several, and without creepage.
+
+    Args:
+        runs: one.
+        which: number of a stored step; "aligned", the middle of the last pass; or "final".
+        cells: show each cell as a rectangle of one colour.
+    """
+    require_scenario(runs, "rolling")
+    snapshot = _state(runs[0], which) if len(runs) == 1 else None
+    if snapshot is None or not has_friction_heat(snapshot):
+        return None
+    return friction_heat_map(runs[0], snapshot, cells=cells)
 
 
 @of_runs

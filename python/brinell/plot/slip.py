@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stick and slip in one state: maps over the contact, and profiles along the motion.
+"""Stick and slip in one state: maps over the contact, profiles along the motion, and the heat of friction per area.
 
 SI with prefixes throughout. The shear is that on the lower body, the slip that of the upper surface over the lower one
 since the start; in rolling, since these places came under the contact.
@@ -16,16 +16,17 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.cells import contact_edge, contact_patch, extent, refined
+from brinell.plot.cells import contact_edge, contact_patch, contact_span, extent, refined
 from brinell.plot.overlay import Look, largest, legend_beside, zero_line
 from brinell.plot.scales import Scale, si
 from brinell.plot.states import of_state, state_title
 from brinell.results import ContactFields, Run, RunError, Snapshot
 
-__all__ = ["has_slip", "stick_slip_maps", "stick_slip_profiles", "sticks"]
+__all__ = ["friction_heat_map", "has_friction_heat", "has_slip", "stick_slip_maps", "stick_slip_profiles", "sticks"]
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -309,12 +310,103 @@ def _draw_sticking(ax: Axes, state: _Tangential, length: Scale, *, cells: bool) 
 
 
 def _draw_size(
-    ax: Axes, state: _Tangential, values: FloatArray, length: Scale, scale: Scale, look: tuple[str, str], *, cells: bool
+    ax: Axes,
+    state: _Tangential,
+    values: FloatArray,
+    length: Scale,
+    scale: Scale,
+    look: tuple[str, str],
+    *,
+    cells: bool,
+    stick: str = "white",
 ) -> None:
+    """A size with colour map and label, and around what sticks a line of the colour `stick`."""
     image = _image(ax, state, values, length, scale, look[0], cells=cells)
     if not cells:
-        _outline(ax, state, _stick_edge(state), length, "white")
+        _outline(ax, state, _stick_edge(state), length, stick)
     ax.figure.colorbar(image, ax=ax, label=look[1], pad=0.02)
+
+
+def has_friction_heat(snapshot: Snapshot) -> bool:
+    """Whether stick and slip are stored, and the heat of friction with them."""
+    return has_slip(snapshot) and snapshot.contact.friction_heat is not None
+
+
+@style.figure
+@of_state
+def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+    """Energy that friction has dissipated per area, with the edges of the contact and of what sticks.
+
+    Since the start; in rolling, since these places came under the contact. In plane strain a line over x, with what
+    sticks shaded.
+
+    Args:
+        run: where friction and direction come from.
+        snapshot: the state to draw.
+        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+
+    Raises:
+        RunError: the bodies do not touch in this state, or no heat of friction is stored.
+    """
+    state = _tangential(run, snapshot)
+    contact, values = state.contact, state.contact.friction_heat
+    if values is None:
+        raise RunError(f"{run.path}: no heat of friction in the state at step {snapshot.step}, so nothing to draw")
+    # As for the slip, the cells around the contact have the heat of those beside them: at the edge it need not end.
+    around = _extended(values, contact.pressure > 0.0)
+    heat = si(largest([values]), "J/m²")
+    title = f"Heat of friction since {_since([run])}:\n{state_title(run, snapshot)}"
+    if contact.y.size == 1:
+        return _heat_line(state, values[0], heat, title)
+    patch = contact_patch(contact, 1.0)
+    length = si(max(patch[0][1], patch[1][1]), "m")
+    fig = style.new_figure(5.4, 4.9, to_scale=True)
+    ax = fig.subplots()
+    label = heat.label("heat of friction per area", "w^f")
+    _draw_size(ax, state, around, length, heat, (_HEAT_MAP, label), cells=cells, stick=_STICK)
+    patch = contact_patch(contact, length.size)
+    ax.set_xlim(*patch[0])
+    ax.set_ylim(*patch[1])
+    ax.set_xlabel(length.label("", "x'"))
+    ax.set_ylabel(length.label("", "y'"))
+    ax.set_title(title)
+    if not cells:
+        _name_edges(ax, state)
+    return fig
+
+
+_HEAT_MAP = "inferno"
+
+
+def _name_edges(ax: Axes, state: _Tangential) -> None:
+    """Below the map: which line is the edge of what."""
+    named = [Line2D([], [], color="black", linewidth=1.0, label="edge of the contact")]
+    if state.sticking.any() and not state.sticking.all():
+        named.append(Line2D([], [], color=_STICK, linewidth=1.0, label="edge of what sticks"))
+    ax.legend(handles=named, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, borderaxespad=0.0)
+
+
+def _heat_line(state: _Tangential, values: FloatArray, heat: Scale, title: str) -> Figure:
+    """In plane strain."""
+    contact = state.contact
+    left, right = contact_patch(contact, 1.0)[0]
+    length = si(max(-left, right), "m")
+    shown = (left <= contact.x) & (contact.x <= right)
+    fig = style.new_figure(5.8, 3.3)
+    ax = fig.subplots()
+    place = contact.x[shown] / length.size
+    _shade(ax, place, state.sticking[0, shown])
+    ax.plot(place, values[shown] / heat.size, marker="o", markersize=2.5, color=style.LOWER)
+    for number, at in enumerate(contact_span(contact)):
+        label = "edge of the contact" if number == 0 else "_"
+        ax.axvline(at / length.size, color="black", linewidth=1.0, label=label)
+    ax.set_xlim(left / length.size, right / length.size)
+    ax.set_ylim(bottom=0.0)
+    ax.set_xlabel(length.label("", "x'"))
+    ax.set_ylabel(heat.label("heat of friction per area", "w^f"))
+    ax.set_title(title)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0)
+    return fig
 
 
 @dataclass(frozen=True, eq=False)

@@ -244,6 +244,11 @@ def _drawings() -> Drawings:
                 "With creepage: pressure with the shear on the lower body as arrows, what sticks and what slips, shear "
                 "and slip, in the middle of the track.",
             ),
+            "contact-heat": Drawing(
+                rolling.creep_heat,
+                "With creepage: energy that friction has dissipated per area since each place came under the contact, "
+                "in the middle of the track, with the edges of the contact and of what sticks.",
+            ),
             "contact-profiles": Drawing(
                 rolling.creep_profiles,
                 "With creepage: the shear between the bounds of friction along the motion through the middle of the "
