@@ -3,16 +3,18 @@
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
-over a period), `fields`, `sections` and `depth` (one state of any scenario), `slip` (stick and slip in one state),
-`history`, `energy`, `temperature` and `wear` (one run step by step), `animation` and `pressure` (one pass as a moving
-picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run), `surfaces` (a height map),
-`cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by),
-`quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
-`states` (which state and which bodies), `cells` (cell values as pictures).
+over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
+scenario), `slip` (stick and slip in one state), `history`, `energy`, `temperature` and `wear` (one run step by step),
+`animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities),
+`standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all
+figures), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on
+a plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells` (cell values as
+pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.asperities import friction_over_load, passes_map
+from brinell.plot.creepage import creep_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces

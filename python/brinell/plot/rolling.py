@@ -170,7 +170,7 @@ def _after_passes(entry: Entry) -> str:
     return f"{entry.label}, {count} {'pass' if count == 1 else 'passes'}"
 
 
-def _rolled(one: History) -> History:
+def rolled(one: History) -> History:
     """The part of a pass between pressing on and lifting off."""
     moving = np.flatnonzero(np.diff(one["x"]))
     return one.part(slice(int(moving[0]), int(moving[-1]) + 2)) if moving.size else one
@@ -182,7 +182,7 @@ def _along(shown: Sequence[Entry]) -> list[tuple[History, Look]]:
         parts = shown[0].run.history.passes()
         colours = style.family_colours(len(parts))
         return [
-            (_rolled(part), {"label": str(number), "color": colour})
+            (rolled(part), {"label": str(number), "color": colour})
             for number, (part, colour) in enumerate(zip(parts, colours, strict=True), start=1)
         ]
     return [line for entry in shown for line in _first_and_last(entry)]
@@ -193,7 +193,7 @@ def _first_and_last(entry: Entry) -> list[tuple[History, Look]]:
     lines: list[tuple[History, Look]] = []
     for number, dash in {1: "-", len(parts): ":" if len(parts) > 1 else "-"}.items():
         look = {"label": f"{entry.label}, pass {number}", "color": entry.look["color"], "linestyle": dash}
-        lines.append((_rolled(parts[number - 1]), look))
+        lines.append((rolled(parts[number - 1]), look))
     return lines
 
 
@@ -291,7 +291,7 @@ def creep_forces(runs: Sequence[Run]) -> Figure | None:
 
     A force that is never more than a thousandth of friction times load has no panel. None without creepage.
     """
-    shown = [entry for entry in entries(runs, "rolling") if _creeps(entry.run)]
+    shown = [entry for entry in entries(runs, "rolling") if creeps(entry.run)]
     if not shown:
         return None
     lines = [
@@ -324,7 +324,7 @@ def creep_forces(runs: Sequence[Run]) -> Figure | None:
 
 def _state(run: Run, which: Which) -> Snapshot | None:
     """A stored state with stick and slip; None if there is none."""
-    if not _creeps(run) or (which == "aligned" and not run.steps):
+    if not creeps(run) or (which == "aligned" and not run.steps):
         return None
     snapshot = run.snapshot(which)
     return snapshot if has_slip(snapshot) else None

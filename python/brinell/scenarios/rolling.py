@@ -213,12 +213,12 @@ def _panels() -> tuple[Panel, Panel]:
 
 
 def _drawings() -> Drawings:
-    from brinell.plot import rolling
+    from brinell.plot import creepage, rolling
 
     return Drawings(
         "rolling",
-        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it, stick and "
-        "slip.",
+        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it; with "
+        "creepage stick, slip and heat of friction, and of several runs the creep curve.",
         {
             "passes": Drawing(
                 rolling.pass_by_pass,
@@ -239,6 +239,7 @@ def _drawings() -> Drawings:
                 "With creepage: forces and moment between the surfaces over friction times load, and the share of the "
                 "contact that sticks, over the distance rolled.",
             ),
+            "creep-curve": Drawing(creepage.creep_curve),
             "contact-maps": Drawing(
                 rolling.creep_maps,
                 "With creepage: pressure with the shear on the lower body as arrows, what sticks and what slips, shear "
