@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
@@ -235,6 +236,7 @@ def creep_curve(runs: Sequence[Run]) -> Figure | None:
         if _draw_limits(ax, [point.force[which] for point in points]):
             references[r"friction $\times$ load"] = _LIMIT
         ax.set_xlabel(scale.label(*_SYMBOLS[over]))
+        ax.xaxis.set_major_locator(MaxNLocator(nbins=6))
         ax.set_ylabel(f"force {('along', 'across')[which]}  $F_{'xy'[which]}/(fP)$")
         if len(panels) > 1:
             ax.set_title(f"({letter})  {('along', 'across')[which]} the motion")
