@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.quiver import Quiver
 
 import brinell
 from brinell._toml import tomllib
@@ -162,9 +163,30 @@ def test_heat_of_friction(run: Run, run_spun: Run) -> None:
     touching = contact.pressure > 0.0
     np.testing.assert_allclose(fig.axes[0].images[0].get_array()[touching], contact.friction_heat[touching])
     written = texts(fig)
-    assert "heat of friction per area  $w^f$  [J/m²]" in written
+    assert "$w^f$  [J/m²]" in written
     assert any("since these places touched" in text for text in written)
     assert rolling.creep_heat([run, run_spun]) is None
+
+
+@pytest.mark.parametrize("radii", [("10 mm", "60 mm"), ("60 mm", "10 mm")])
+def test_maps_of_a_narrow_contact(radii: tuple[str, str]) -> None:
+    """Arrows as far from each other along both axes, though cells are not square; titles beside each other."""
+    ellipsoid = brinell.Body(brinell.Ellipsoid(*radii), STEEL)
+    friction = brinell.Interface(friction=FRICTION)
+    grid = {"resolution": 6}
+    run = brinell.Rolling(
+        FLAT, ellipsoid, "0.4 mm", load=LOAD, creepage=0.001, load_steps=1, interface=friction, grid=grid
+    ).run(in_memory=True)
+    fig = rolling.creep_maps([run])
+    assert fig is not None
+    (arrows,) = fig.findobj(Quiver)
+    apart = [np.diff(np.unique(np.round(place, 9))).min() for place in (arrows.X, arrows.Y)]
+    assert max(apart) < 2.0 * min(apart)
+    assert 0.5 * max(apart) < np.hypot(arrows.U, arrows.V).max() <= max(apart) * (1.0 + 1e-6)
+    fig.draw_without_rendering()
+    first, second = (ax._left_title.get_window_extent() for ax in fig.axes[:2])
+    assert first.x1 < second.x0
+    texts(rolling.creep_heat([run]))
 
 
 # --- Creep curve ------------------------------------------------------------------------------------------------------

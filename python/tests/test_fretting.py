@@ -266,12 +266,13 @@ def test_heat_of_friction_is_that_of_the_cells(run: Run) -> None:
     np.testing.assert_array_equal(shown.mask, ~touching)
     np.testing.assert_allclose(shown[touching], heat[touching])
     written = texts(fig)
-    assert "heat of friction per area  $w^f$  [J/m²]" in written
+    assert "$w^f$  [J/m²]" in written
     assert any("since the start" in text and "step 29,  cycle 2" in text for text in written)
 
 
 def test_edges_in_the_heat_of_friction_are_named(run: Run, run_across: Run) -> None:
-    assert legend_of(brinell.plot.contact_heat([run]).axes[0]) == ["edge of the contact", "edge of what sticks"]
+    (legend,) = brinell.plot.contact_heat([run]).legends
+    assert [text.get_text() for text in legend.get_texts()] == ["edge of the contact", "edge of what sticks"]
     assert brinell.plot.contact_heat([run, run_across]) is None
     # By force: its turns are those of the force.
     assert any("step 13,  cycle 1" in text for text in texts(brinell.plot.contact_heat([run_across])))

@@ -171,7 +171,8 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
     if contact.y.size == 1:
         raise RunError(f"{run.path}: a single row of cells has no maps; profiles show all of it")
     length = si(max(contact_patch(contact, 1.0)[0][1], contact_patch(contact, 1.0)[1][1]), "m")
-    fig = style.new_figure(9.2, 7.4, to_scale=True)
+    wide, high = _map_size(contact)
+    fig = style.new_figure(2.6 + 2.0 * wide, 0.8 + 2.0 * high, to_scale=True)
     axes = fig.subplots(2, 2, sharex=True, sharey=True)
     _draw_pressure(axes[0, 0], state, length, cells=cells)
     _draw_sticking(axes[0, 1], state, length, cells=cells)
@@ -180,7 +181,8 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
         axes[1, 0], state, state.shear_size, length, shear, (style.STRESS_MAP, shear.label("", "|q|")), cells=cells
     )
     _draw_size(axes[1, 1], state, state.slip_size, length, slip, (style.STRAIN_MAP, slip.label("", "|s|")), cells=cells)
-    titles = ("pressure, and the shear on the lower body", "what sticks", "shear", f"slip since {_since([run])}")
+    both = "pressure, and the shear on the lower body" if wide > 2.0 else "pressure, and shear\n     on the lower body"
+    titles = (both, "what sticks", "shear", f"slip since {_since([run])}")
     for ax, letter, title in zip(axes.flat, "abcd", titles, strict=True):
         ax.set_title(f"({letter})  {title}")
     patch = contact_patch(contact, length.size)
@@ -192,6 +194,13 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
         ax.set_ylabel(length.label("", "y'"))
     fig.suptitle(f"Stick and slip:  {state_title(run, snapshot)}", x=0.01, ha="left", fontsize=10)
     return fig
+
+
+def _map_size(contact: ContactFields) -> tuple[float, float]:
+    """Width and height of a map [inch], by the shape of the contact: with no empty space beside a narrow one."""
+    (left, right), (low, high) = contact_patch(contact, 1.0)
+    aspect = (right - left) / (high - low)
+    return max(1.3, 3.3 * min(aspect, 1.0)), max(1.1, 3.3 / max(aspect, 1.0))
 
 
 def _image(
@@ -243,11 +252,13 @@ def _draw_arrows(ax: Axes, state: _Tangential, length: Scale) -> None:
     if most == 0.0:
         return
     columns, rows = np.flatnonzero(touching.any(axis=0)), np.flatnonzero(touching.any(axis=1))
-    stride = max(1, round(max(columns.size, rows.size) / _ARROWS))
+    dx, dy = (float(axis[1] - axis[0]) / length.size for axis in (contact.x, contact.y))
+    distance = max(columns.size * dx, rows.size * dy) / _ARROWS
+    along_x, along_y = (max(1, round(distance / size)) for size in (dx, dy))
     chosen = np.zeros_like(touching)
-    chosen[_about_middle(rows, stride)[:, None], _about_middle(columns, stride)] = True
+    chosen[_about_middle(rows, along_y)[:, None], _about_middle(columns, along_x)] = True
     j, i = np.nonzero(chosen & touching)
-    step = stride * float(contact.x[1] - contact.x[0]) / length.size
+    step = max(along_x * dx, along_y * dy)
     arrows = ax.quiver(
         contact.x[i] / length.size,
         contact.y[j] / length.size,
@@ -257,7 +268,8 @@ def _draw_arrows(ax: Axes, state: _Tangential, length: Scale) -> None:
         scale_units="xy",
         scale=1.0,
         pivot="middle",
-        width=0.006,
+        units="inches",
+        width=0.019,
         color="white",
         edgecolor="black",
         linewidth=0.4,
@@ -355,14 +367,15 @@ def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
     # As for the slip, the cells around the contact have the heat of those beside them: at the edge it need not end.
     around = _extended(values, contact.pressure > 0.0)
     heat = si(largest([values]), "J/m²")
-    title = f"Heat of friction since {_since([run])}:\n{state_title(run, snapshot)}"
+    title = f"Heat of friction per area since {_since([run])}:\n{state_title(run, snapshot)}"
     if contact.y.size == 1:
         return _heat_line(state, values[0], heat, title)
     patch = contact_patch(contact, 1.0)
     length = si(max(patch[0][1], patch[1][1]), "m")
-    fig = style.new_figure(5.4, 4.9, to_scale=True)
+    wide, high = _map_size(contact)
+    fig = style.new_figure(1.7 + 1.1 * wide, 1.3 + 1.1 * high, to_scale=True)
     ax = fig.subplots()
-    label = heat.label("heat of friction per area", "w^f")
+    label = heat.label("", "w^f")
     _draw_size(ax, state, around, length, heat, (_HEAT_MAP, label), cells=cells, stick=_STICK)
     patch = contact_patch(contact, length.size)
     ax.set_xlim(*patch[0])
@@ -371,19 +384,19 @@ def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
     ax.set_ylabel(length.label("", "y'"))
     ax.set_title(title)
     if not cells:
-        _name_edges(ax, state)
+        _name_edges(fig, state)
     return fig
 
 
 _HEAT_MAP = "inferno"
 
 
-def _name_edges(ax: Axes, state: _Tangential) -> None:
+def _name_edges(fig: Figure, state: _Tangential) -> None:
     """Below the map: which line is the edge of what."""
     named = [Line2D([], [], color="black", linewidth=1.0, label="edge of the contact")]
     if state.sticking.any() and not state.sticking.all():
         named.append(Line2D([], [], color=_STICK, linewidth=1.0, label="edge of what sticks"))
-    ax.legend(handles=named, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, borderaxespad=0.0)
+    fig.legend(handles=named, loc="outside lower center", ncols=2 if fig.get_figwidth() > 4.0 else 1)
 
 
 def _heat_line(state: _Tangential, values: FloatArray, heat: Scale, title: str) -> Figure:
@@ -403,7 +416,7 @@ def _heat_line(state: _Tangential, values: FloatArray, heat: Scale, title: str) 
     ax.set_xlim(left / length.size, right / length.size)
     ax.set_ylim(bottom=0.0)
     ax.set_xlabel(length.label("", "x'"))
-    ax.set_ylabel(heat.label("heat of friction per area", "w^f"))
+    ax.set_ylabel(heat.label("", "w^f"))
     ax.set_title(title)
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0)
     return fig
