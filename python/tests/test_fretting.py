@@ -8,11 +8,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
+from matplotlib.quiver import Quiver, QuiverKey
 
 import brinell
 from brinell._toml import tomllib
-from brinell.plot import slip
+from brinell.plot import slip, style
+from brinell.report.volumes import pictures_of
 from brinell.results import Run, RunError
 from brinell.scenarios.fretting import TRAITS
 from figure_parts import curve, legend_of, texts
@@ -38,6 +41,16 @@ def run() -> Run:
 def run_across() -> Run:
     """By force, along y."""
     return fretting(displacement=None, force="15 N", direction="90 deg", title="by force").run(in_memory=True)
+
+
+@pytest.fixture(scope="module")
+def run_soft() -> Run:
+    """The flat yields."""
+    soft = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "2 GPa")))
+    ball = brinell.Body(brinell.Sphere("1 mm"), STEEL)
+    motion: dict = {"displacement": "0.5 um", "steps_per_cycle": 8, "press_steps": 4}
+    friction = brinell.Interface(friction=0.6)
+    return brinell.Fretting(soft, ball, load="10 N", interface=friction, grid={"resolution": 5}, **motion).run()
 
 
 def test_it_is_that_of_the_case_file() -> None:
@@ -184,6 +197,20 @@ def test_loops_of_several_runs(run: Run, run_across: Run) -> None:
     texts(brinell.plot.fretting_course([run, run_across]))
 
 
+def test_limits_have_the_colours_of_their_loops(run: Run, run_across: Run) -> None:
+    """Grey where runs share them."""
+    rough = fretting(interface=brinell.Interface(friction=0.4), title="less friction").run(in_memory=True)
+    ax = brinell.plot.force_loops([run, rough, run_across]).axes[0]
+    limits = {
+        round(float(line.get_ydata()[0]), 6): to_hex(line.get_color())
+        for line in ax.lines
+        if line.get_linewidth() == 0.9
+    }
+    assert limits.keys() == {-30.0, -20.0, 20.0, 30.0}
+    assert limits[20.0] == limits[-20.0] == to_hex(curve(ax, "less friction").get_color())
+    assert limits[30.0] == limits[-30.0] == style.REFERENCE
+
+
 def test_profiles(run: Run, run_across: Run) -> None:
     for one, along in ((run, "x"), (run_across, "y")):
         contact = one.snapshot("aligned").contact
@@ -207,6 +234,71 @@ def test_maps(run: Run, cells: bool) -> None:
     assert any("cycle 1" in text for text in written)
 
 
+def test_a_key_tells_how_long_the_arrows_of_the_shear_are(run: Run) -> None:
+    fig = brinell.plot.contact_maps([run])
+    (arrows,), (key,) = fig.findobj(Quiver), fig.findobj(QuiverKey)
+    contact = run.snapshot("aligned").contact
+    value, unit = key.text.get_text().split()
+    assert unit == "MPa"
+    largest_drawn = np.hypot(arrows.U, arrows.V).max()
+    middle = [np.argmin(np.abs(axis)) for axis in (contact.y, contact.x)]
+    at_middle = np.hypot(arrows.U, arrows.V)[np.argmin(np.hypot(arrows.X, arrows.Y))]
+    assert key.U / at_middle == pytest.approx(1e6 * float(value) / contact.shear_x[tuple(middle)], rel=0.02)
+    assert 0.5 * largest_drawn < key.U
+
+
+@pytest.mark.parametrize("size", [0.02, 1.0, 4.18e8, 9.99e8, 1e9])
+def test_the_key_is_a_round_number(size: float) -> None:
+    told = slip._round_below(size)
+    assert 0.5 * size < told <= size * (1.0 + 1e-12)
+    assert float(f"{told:.0e}") == pytest.approx(told)
+
+
+def test_the_coordinate_along_the_motion_is_no_creepage(run: Run) -> None:
+    assert brinell.plot.contact_profiles([run]).axes[1].get_xlabel() == r"along the motion  $x_\parallel$  [µm]"
+
+
+def test_heat_of_friction_is_that_of_the_cells(run: Run) -> None:
+    fig = brinell.plot.contact_heat([run], cells=True)
+    last_turn = run.snapshot(29)  # two steps press, of 16 per cycle the twelfth is the second turn
+    heat, touching = last_turn.contact.friction_heat, last_turn.contact.pressure > 0.0
+    shown = fig.axes[0].images[0].get_array()
+    np.testing.assert_array_equal(shown.mask, ~touching)
+    np.testing.assert_allclose(shown[touching], heat[touching])
+    written = texts(fig)
+    assert "$w^f$  [J/m²]" in written
+    assert any("since the start" in text and "step 29,  cycle 2" in text for text in written)
+
+
+def test_edges_in_the_heat_of_friction_are_named(run: Run, run_across: Run) -> None:
+    (legend,) = brinell.plot.contact_heat([run]).legends
+    assert [text.get_text() for text in legend.get_texts()] == ["edge of the contact", "edge of what sticks"]
+    assert brinell.plot.contact_heat([run, run_across]) is None
+    # By force: its turns are those of the force.
+    assert any("step 13,  cycle 1" in text for text in texts(brinell.plot.contact_heat([run_across])))
+
+
+def test_heat_of_friction_in_plane_strain_is_a_line() -> None:
+    roller = brinell.Body(brinell.Cylinder("10 mm"), STEEL)
+    flat = brinell.Fretting(
+        FLAT,
+        roller,
+        load="0.1 MN",
+        displacement="0.5 um",
+        steps_per_cycle=8,
+        press_steps=2,
+        interface=brinell.Interface(friction=FRICTION),
+        grid={"resolution": 8, "boundary": ["open", "periodic"]},
+    ).run(in_memory=True)
+    fig = brinell.plot.contact_heat([flat])
+    assert set(legend_of(fig.axes[0])) == {"sticks", "edge of the contact"}
+    heat = flat.snapshot(7).contact.friction_heat
+    unit = {"kJ/m²": 1e3, "J/m²": 1.0, "mJ/m²": 1e-3}[fig.axes[0].get_ylabel().partition("[")[2].rstrip("]")]
+    line = max(fig.axes[0].lines, key=lambda one: len(one.get_xdata()))
+    assert np.max(line.get_ydata()) == pytest.approx(heat.max() / unit)
+    texts(fig)
+
+
 def test_states_in_which_all_sticks_or_all_slips(run: Run) -> None:
     """The end of pressing, where nothing has moved, and a turn beyond what friction holds."""
     pressed = run.snapshot(1)
@@ -222,19 +314,14 @@ def test_states_in_which_all_sticks_or_all_slips(run: Run) -> None:
     texts(brinell.plot.contact_profiles([far]))
 
 
-def test_a_surface_that_yields_slips_below_friction_times_pressure() -> None:
+def test_a_surface_that_yields_slips_below_friction_times_pressure(run_soft: Run) -> None:
     """As much sticks in the figure as the history tells."""
-    soft = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "2 GPa")))
-    ball = brinell.Body(brinell.Sphere("1 mm"), STEEL)
-    motion: dict = {"displacement": "0.5 um", "steps_per_cycle": 8, "press_steps": 4}
-    friction = brinell.Interface(friction=0.6)
-    run = brinell.Fretting(soft, ball, load="10 N", interface=friction, grid={"resolution": 5}, **motion).run()
-    turn = run.snapshot("aligned")
+    turn = run_soft.snapshot("aligned")
     row = turn.row
     assert row["share_at_shear_limit"] > 0.1
     below = slip.sticks(turn.contact, FRICTION * turn.contact.pressure).sum() / (turn.contact.pressure > 0.0).sum()
     assert below == pytest.approx(row["stick_share"] + row["share_at_shear_limit"])
-    assert f"sticks\n{100 * row['stick_share']:.0f} %" in texts(brinell.plot.contact_maps([run]))
+    assert f"sticks\n{100 * row['stick_share']:.0f} %" in texts(brinell.plot.contact_maps([run_soft]))
 
 
 def test_a_state_without_contact_maps_is_named() -> None:
@@ -251,6 +338,17 @@ def test_course(run: Run) -> None:
     fig = brinell.plot.fretting_course([run])
     np.testing.assert_allclose(fig.axes[0].lines[0].get_ydata(), 1e9 * run.history["displacement"])
     texts(fig)
+
+
+def test_the_end_is_headed_by_what_it_is(run_soft: Run) -> None:
+    """Fretting does not unload."""
+    groups = {one.name: one.group for one in brinell.plot.standard_figures(run_soft)}
+    assert groups["residual-section"] == groups["residual-surfaces"] == "end"
+    assert "residual" not in groups.values()
+    final = run_soft.snapshot("final", tensors=True)
+    assert final.in_contact
+    pictures = pictures_of(run_soft.snapshot("aligned"), final)
+    assert {one["state"] for one in pictures.volumes} == {"under load", "at the end, under load"}
 
 
 def test_all_figures_of_a_run(run: Run) -> None:

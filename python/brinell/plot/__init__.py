@@ -3,20 +3,29 @@
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
-over a period), `fields`, `sections` and `depth` (one state of any scenario), `slip` (stick and slip in one state),
-`history`, `energy`, `temperature` and `wear` (one run step by step), `animation` and `pressure` (one pass as a moving
-picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run), `surfaces` (a height map),
-`cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by),
-`quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
-`states` (which state and which bodies), `cells` (cell values as pictures).
+over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
+scenario), `slip` (stick and slip in one state), `history`, `energy`, `temperature` and `wear` (one run step by step),
+`animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities),
+`standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all
+figures), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on
+a plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells` (cell values as
+pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.asperities import friction_over_load, passes_map
+from brinell.plot.creepage import creep_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
-from brinell.plot.fretting import contact_maps, contact_profiles, cycle_by_cycle, force_loops, fretting_course
+from brinell.plot.fretting import (
+    contact_heat,
+    contact_maps,
+    contact_profiles,
+    cycle_by_cycle,
+    force_loops,
+    fretting_course,
+)
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
@@ -26,6 +35,7 @@ from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import (
     along_track,
     creep_forces,
+    creep_heat,
     creep_maps,
     creep_profiles,
     depth_profiles,
@@ -37,7 +47,7 @@ from brinell.plot.run_in import surfaces_before_and_after
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
 from brinell.plot.sliding import along_way, stroke_by_stroke
-from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import friction_heat_map, stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
@@ -51,11 +61,14 @@ __all__ = [
     "along_way",
     "animate",
     "contact_fraction",
+    "contact_heat",
     "contact_maps",
     "contact_patches",
     "contact_pressure",
     "contact_profiles",
+    "creep_curve",
     "creep_forces",
+    "creep_heat",
     "creep_maps",
     "creep_profiles",
     "cycle_by_cycle",
@@ -68,6 +81,7 @@ __all__ = [
     "fig15",
     "force_loops",
     "fretting_course",
+    "friction_heat_map",
     "friction_over_load",
     "gap_map",
     "imprint",

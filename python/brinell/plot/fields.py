@@ -17,7 +17,7 @@ from brinell.plot import style
 from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cells, extent, refined
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.sections import section
-from brinell.plot.slip import has_slip, stick_slip_maps
+from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps
 from brinell.plot.states import Side, of_state, sides, state_title
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
@@ -314,6 +314,7 @@ FIGURES: dict[str, Callable[..., Figure]] = {
     "residual-surfaces": residual_surfaces,
     "section": section,
     "stick-slip": stick_slip_maps,
+    "friction-heat": friction_heat_map,
 }
 """What the command `fields` writes: end of the file name and function."""
 
@@ -322,4 +323,6 @@ def suits(name: str, snapshot: Snapshot) -> bool:
     """Whether a figure of `FIGURES` has something to draw: contact, or what sticks and slips there."""
     if name == "stick-slip":
         return has_slip(snapshot) and not _is_one_row(snapshot.contact)
+    if name == "friction-heat":
+        return has_friction_heat(snapshot)
     return snapshot.in_contact or name not in ("pressure", "gap")

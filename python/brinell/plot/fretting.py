@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from brinell.plot import style
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps, stick_slip_profiles
 from brinell.results import Run, Snapshot
 
-__all__ = ["contact_maps", "contact_profiles", "cycle_by_cycle", "force_loops", "fretting_course"]
+__all__ = ["contact_heat", "contact_maps", "contact_profiles", "cycle_by_cycle", "force_loops", "fretting_course"]
 
 FloatArray = NDArray[np.float64]
 Which = int | Literal["aligned", "final"]
@@ -65,7 +65,8 @@ def _thinned(handles: Sequence[Look]) -> list[Look]:
 def force_loops(runs: Sequence[Run]) -> Figure | None:
     """Force over displacement: all cycles of a single run, the last cycle of each of several; dashed, friction's limit.
 
-    None if nothing has moved.
+    The limit of a run among several has the colour of its loop, or is grey where it is that of several runs. None if
+    nothing has moved.
     """
     shown = entries(runs, "fretting")
     lines = _loop_lines(shown)
@@ -106,9 +107,12 @@ def _loop_lines(shown: Sequence[Entry]) -> list[tuple[FloatArray, FloatArray, Lo
 
 def _draw_limits(ax: Axes, shown: Sequence[Entry], force: Scale) -> None:
     """Friction times load, at the largest load while the bodies move."""
-    for limit in {_friction(entry.run) * _moving_load(entry.run) / force.size for entry in shown}:
+    limits = [_friction(entry.run) * _moving_load(entry.run) / force.size for entry in shown]
+    for entry, limit in zip(shown, limits, strict=True):
+        shared = len(shown) == 1 or sum(bool(np.isclose(limit, other, rtol=1e-3)) for other in limits) > 1
+        colour = style.REFERENCE if shared else entry.look["color"]
         for sign in (1.0, -1.0):
-            ax.axhline(sign * limit, **_BOUND, zorder=0.6)
+            ax.axhline(sign * limit, **_BOUND | {"color": colour}, zorder=0.6)
 
 
 def _state(run: Run, which: Which) -> Snapshot | None:
@@ -135,6 +139,34 @@ def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool =
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
     return stick_slip_maps(runs[0], snapshot, cells=cells)
+
+
+@of_runs
+def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool = False) -> Figure | None:
+    """Energy that friction has dissipated per area since the start, with what sticks, of a single run.
+
+    None of several runs, and if the state has no heat of friction.
+
+    Args:
+        runs: one.
+        which: number of a stored step; "aligned", the first turn; "final"; or None, the last turn that is stored.
+        cells: show each cell as a rectangle of one colour.
+    """
+    require_scenario(runs, "fretting")
+    if len(runs) > 1:
+        return None
+    snapshot = _state(runs[0], _last_turn(runs[0]) if which is None else which)
+    if snapshot is None or not has_friction_heat(snapshot):
+        return None
+    return friction_heat_map(runs[0], snapshot, cells=cells)
+
+
+def _last_turn(run: Run) -> Which:
+    """The last stored step in which the motion is as far as it goes: there the least of the contact sticks."""
+    imposed = np.abs(run.history["force" if run.case("fretting", "force") is not None else "displacement"])
+    at = dict(zip(run.history["step"].astype(int).tolist(), imposed.tolist(), strict=True))
+    turns = [step for step in run.steps if at.get(step, 0.0) >= (1.0 - 1e-6) * imposed.max(initial=0.0) > 0.0]
+    return turns[-1] if turns else "aligned"
 
 
 @of_runs

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from typing import Any, Concatenate, ParamSpec, Protocol, TypeVar
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +17,18 @@ from brinell.plot import style
 from brinell.results import Run, RunError
 from brinell.scenarios import Scenario
 
-__all__ = ["Entry", "Look", "entries", "largest", "legend_beside", "looks", "of_runs", "require_scenario", "zero_line"]
+__all__ = [
+    "Entry",
+    "HasRuns",
+    "Look",
+    "entries",
+    "largest",
+    "legend_beside",
+    "looks",
+    "of_runs",
+    "require_scenario",
+    "zero_line",
+]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -38,14 +49,24 @@ class Entry:
     look: Look
 
 
+class HasRuns(Protocol):
+    """A sweep: its runs by the number of their point."""
+
+    @property
+    def runs(self) -> Mapping[int, Run]:
+        """Those that have finished."""
+
+
 def of_runs(
     draw: Callable[Concatenate[Sequence[Run], _P], _R],
-) -> Callable[Concatenate[Run | Sequence[Run], _P], _R]:
-    """Lets a figure of several runs be one of a single run, too."""
+) -> Callable[Concatenate[Run | Sequence[Run] | HasRuns, _P], _R]:
+    """Lets a figure of several runs be one of a single run, or of all runs of a sweep, too."""
 
     @functools.wraps(draw)
-    def drawn(runs: Run | Sequence[Run], /, *args: _P.args, **options: _P.kwargs) -> _R:
-        return draw([runs] if isinstance(runs, Run) else runs, *args, **options)
+    def drawn(runs: Run | Sequence[Run] | HasRuns, /, *args: _P.args, **options: _P.kwargs) -> _R:
+        if isinstance(runs, Run):
+            runs = [runs]
+        return draw(runs if isinstance(runs, Sequence) else list(runs.runs.values()), *args, **options)
 
     drawn.takes_one_run = True  # type: ignore[attr-defined]
     return drawn

@@ -20,16 +20,19 @@ from brinell.plot import style
 from brinell.plot.cells import at_centre
 from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.plot.slip import has_slip, stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps, stick_slip_profiles
 from brinell.results import BodyFields, History, Run, Snapshot
 
 __all__ = [
     "along_track",
     "creep_forces",
+    "creep_heat",
     "creep_maps",
     "creep_profiles",
+    "creeps",
     "depth_profiles",
     "pass_by_pass",
+    "rolled",
     "track_profile",
 ]
 
@@ -167,7 +170,7 @@ def _after_passes(entry: Entry) -> str:
     return f"{entry.label}, {count} {'pass' if count == 1 else 'passes'}"
 
 
-def _rolled(one: History) -> History:
+def rolled(one: History) -> History:
     """The part of a pass between pressing on and lifting off."""
     moving = np.flatnonzero(np.diff(one["x"]))
     return one.part(slice(int(moving[0]), int(moving[-1]) + 2)) if moving.size else one
@@ -179,7 +182,7 @@ def _along(shown: Sequence[Entry]) -> list[tuple[History, Look]]:
         parts = shown[0].run.history.passes()
         colours = style.family_colours(len(parts))
         return [
-            (_rolled(part), {"label": str(number), "color": colour})
+            (rolled(part), {"label": str(number), "color": colour})
             for number, (part, colour) in enumerate(zip(parts, colours, strict=True), start=1)
         ]
     return [line for entry in shown for line in _first_and_last(entry)]
@@ -190,7 +193,7 @@ def _first_and_last(entry: Entry) -> list[tuple[History, Look]]:
     lines: list[tuple[History, Look]] = []
     for number, dash in {1: "-", len(parts): ":" if len(parts) > 1 else "-"}.items():
         look = {"label": f"{entry.label}, pass {number}", "color": entry.look["color"], "linestyle": dash}
-        lines.append((_rolled(parts[number - 1]), look))
+        lines.append((rolled(parts[number - 1]), look))
     return lines
 
 
@@ -255,14 +258,14 @@ def _scale_of(values: Sequence[FloatArray], unit: str) -> Scale:
 _OF_CREEP = (
     ("F_x", "force along", "F_x/(fP)"),
     ("F_y", "force across", "F_y/(fP)"),
-    ("M_z", "moment", "M_z/(fPa)"),
+    ("M_z", "moment", "M_z/(fPa)$\ncontact area $\\pi a^2"),
     ("stick_share", "share that sticks", ""),
 )
 """Column, name, symbol. Forces are over friction times load, the moment over that times the radius of a circle of the
-contact's area."""
+contact's area A."""
 
 
-def _creeps(run: Run) -> bool:
+def creeps(run: Run) -> bool:
     """Whether the surfaces stick and slip."""
     return run.case("rolling", "creepage") is not None or run.case("rolling", "spin") is not None
 
@@ -288,7 +291,7 @@ def creep_forces(runs: Sequence[Run]) -> Figure | None:
 
     A force that is never more than a thousandth of friction times load has no panel. None without creepage.
     """
-    shown = [entry for entry in entries(runs, "rolling") if _creeps(entry.run)]
+    shown = [entry for entry in entries(runs, "rolling") if creeps(entry.run)]
     if not shown:
         return None
     lines = [
@@ -321,7 +324,7 @@ def creep_forces(runs: Sequence[Run]) -> Figure | None:
 
 def _state(run: Run, which: Which) -> Snapshot | None:
     """A stored state with stick and slip; None if there is none."""
-    if not _creeps(run) or (which == "aligned" and not run.steps):
+    if not creeps(run) or (which == "aligned" and not run.steps):
         return None
     snapshot = run.snapshot(which)
     return snapshot if has_slip(snapshot) else None
@@ -343,6 +346,24 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
     return stick_slip_maps(runs[0], snapshot, cells=cells)
+
+
+@of_runs
+def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+    """Energy that friction has dissipated per area since each place came under the contact, with what sticks.
+
+    Of a single run; None of several, and without creepage.
+
+    Args:
+        runs: one.
+        which: number of a stored step; "aligned", the middle of the last pass; or "final".
+        cells: show each cell as a rectangle of one colour.
+    """
+    require_scenario(runs, "rolling")
+    snapshot = _state(runs[0], which) if len(runs) == 1 else None
+    if snapshot is None or not has_friction_heat(snapshot):
+        return None
+    return friction_heat_map(runs[0], snapshot, cells=cells)
 
 
 @of_runs

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stick and slip in one state: maps over the contact, and profiles along the motion.
+"""Stick and slip in one state: maps over the contact, profiles along the motion, and the heat of friction per area.
 
 SI with prefixes throughout. The shear is that on the lower body, the slip that of the upper surface over the lower one
 since the start; in rolling, since these places came under the contact.
@@ -16,16 +16,17 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.cells import contact_edge, contact_patch, extent, refined
+from brinell.plot.cells import contact_edge, contact_patch, contact_span, extent, refined
 from brinell.plot.overlay import Look, largest, legend_beside, zero_line
 from brinell.plot.scales import Scale, si
 from brinell.plot.states import of_state, state_title
 from brinell.results import ContactFields, Run, RunError, Snapshot
 
-__all__ = ["has_slip", "stick_slip_maps", "stick_slip_profiles", "sticks"]
+__all__ = ["friction_heat_map", "has_friction_heat", "has_slip", "stick_slip_maps", "stick_slip_profiles", "sticks"]
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
@@ -170,7 +171,8 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
     if contact.y.size == 1:
         raise RunError(f"{run.path}: a single row of cells has no maps; profiles show all of it")
     length = si(max(contact_patch(contact, 1.0)[0][1], contact_patch(contact, 1.0)[1][1]), "m")
-    fig = style.new_figure(9.2, 7.4, to_scale=True)
+    wide, high = _map_size(contact)
+    fig = style.new_figure(2.6 + 2.0 * wide, 0.8 + 2.0 * high, to_scale=True)
     axes = fig.subplots(2, 2, sharex=True, sharey=True)
     _draw_pressure(axes[0, 0], state, length, cells=cells)
     _draw_sticking(axes[0, 1], state, length, cells=cells)
@@ -179,7 +181,8 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
         axes[1, 0], state, state.shear_size, length, shear, (style.STRESS_MAP, shear.label("", "|q|")), cells=cells
     )
     _draw_size(axes[1, 1], state, state.slip_size, length, slip, (style.STRAIN_MAP, slip.label("", "|s|")), cells=cells)
-    titles = ("pressure, and the shear on the lower body", "what sticks", "shear", f"slip since {_since([run])}")
+    both = "pressure, and the shear on the lower body" if wide > 2.0 else "pressure, and shear\n     on the lower body"
+    titles = (both, "what sticks", "shear", f"slip since {_since([run])}")
     for ax, letter, title in zip(axes.flat, "abcd", titles, strict=True):
         ax.set_title(f"({letter})  {title}")
     patch = contact_patch(contact, length.size)
@@ -191,6 +194,13 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
         ax.set_ylabel(length.label("", "y'"))
     fig.suptitle(f"Stick and slip:  {state_title(run, snapshot)}", x=0.01, ha="left", fontsize=10)
     return fig
+
+
+def _map_size(contact: ContactFields) -> tuple[float, float]:
+    """Width and height of a map [inch], by the shape of the contact: with no empty space beside a narrow one."""
+    (left, right), (low, high) = contact_patch(contact, 1.0)
+    aspect = (right - left) / (high - low)
+    return max(1.3, 3.3 * min(aspect, 1.0)), max(1.1, 3.3 / max(aspect, 1.0))
 
 
 def _image(
@@ -211,6 +221,9 @@ def _image(
         interpolation="nearest",
     )
     if not cells:
+        # Even the refined cells show as steps: cut them along the edge.
+        place = (contact.x / length.size, contact.y / length.size)
+        ax.contourf(*place, edge, levels=[edge.min() - 1.0, 0.0], colors="white")
         _outline(ax, state, edge, length, "black")
     return image
 
@@ -239,12 +252,14 @@ def _draw_arrows(ax: Axes, state: _Tangential, length: Scale) -> None:
     if most == 0.0:
         return
     columns, rows = np.flatnonzero(touching.any(axis=0)), np.flatnonzero(touching.any(axis=1))
-    stride = max(1, round(max(columns.size, rows.size) / _ARROWS))
+    dx, dy = (float(axis[1] - axis[0]) / length.size for axis in (contact.x, contact.y))
+    distance = max(columns.size * dx, rows.size * dy) / _ARROWS
+    along_x, along_y = (max(1, round(distance / size)) for size in (dx, dy))
     chosen = np.zeros_like(touching)
-    chosen[_about_middle(rows, stride)[:, None], _about_middle(columns, stride)] = True
+    chosen[_about_middle(rows, along_y)[:, None], _about_middle(columns, along_x)] = True
     j, i = np.nonzero(chosen & touching)
-    step = stride * float(contact.x[1] - contact.x[0]) / length.size
-    ax.quiver(
+    step = max(along_x * dx, along_y * dy)
+    arrows = ax.quiver(
         contact.x[i] / length.size,
         contact.y[j] / length.size,
         state.shear[0][j, i] / most * step,
@@ -253,11 +268,30 @@ def _draw_arrows(ax: Axes, state: _Tangential, length: Scale) -> None:
         scale_units="xy",
         scale=1.0,
         pivot="middle",
-        width=0.006,
+        units="inches",
+        width=0.019,
         color="white",
         edgecolor="black",
         linewidth=0.4,
     )
+    told = _round_below(most)
+    ax.quiverkey(
+        arrows,
+        0.89,
+        0.05,
+        told / most * step,
+        style.quantity(told, "Pa"),
+        coordinates="axes",
+        labelpos="W",
+        labelsep=0.05,
+        fontproperties={"size": 8},
+    )
+
+
+def _round_below(value: float) -> float:
+    """The largest number of one digit that is not larger; of a value > 0."""
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(max(n for n in range(1, 10) if n * power <= value * (1.0 + 1e-12)) * power)
 
 
 def _about_middle(indices: NDArray[np.intp], stride: int) -> NDArray[np.intp]:
@@ -288,12 +322,104 @@ def _draw_sticking(ax: Axes, state: _Tangential, length: Scale, *, cells: bool) 
 
 
 def _draw_size(
-    ax: Axes, state: _Tangential, values: FloatArray, length: Scale, scale: Scale, look: tuple[str, str], *, cells: bool
+    ax: Axes,
+    state: _Tangential,
+    values: FloatArray,
+    length: Scale,
+    scale: Scale,
+    look: tuple[str, str],
+    *,
+    cells: bool,
+    stick: str = "white",
 ) -> None:
+    """A size with colour map and label, and around what sticks a line of the colour `stick`."""
     image = _image(ax, state, values, length, scale, look[0], cells=cells)
     if not cells:
-        _outline(ax, state, _stick_edge(state), length, "white")
+        _outline(ax, state, _stick_edge(state), length, stick)
     ax.figure.colorbar(image, ax=ax, label=look[1], pad=0.02)
+
+
+def has_friction_heat(snapshot: Snapshot) -> bool:
+    """Whether stick and slip are stored, and the heat of friction with them."""
+    return has_slip(snapshot) and snapshot.contact.friction_heat is not None
+
+
+@style.figure
+@of_state
+def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+    """Energy that friction has dissipated per area, with the edges of the contact and of what sticks.
+
+    Since the start; in rolling, since these places came under the contact. In plane strain a line over x, with what
+    sticks shaded.
+
+    Args:
+        run: where friction and direction come from.
+        snapshot: the state to draw.
+        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+
+    Raises:
+        RunError: the bodies do not touch in this state, or no heat of friction is stored.
+    """
+    state = _tangential(run, snapshot)
+    contact, values = state.contact, state.contact.friction_heat
+    if values is None:
+        raise RunError(f"{run.path}: no heat of friction in the state at step {snapshot.step}, so nothing to draw")
+    # As for the slip, the cells around the contact have the heat of those beside them: at the edge it need not end.
+    around = _extended(values, contact.pressure > 0.0)
+    heat = si(largest([values]), "J/m²")
+    title = f"Heat of friction per area since {_since([run])}:\n{state_title(run, snapshot)}"
+    if contact.y.size == 1:
+        return _heat_line(state, values[0], heat, title)
+    patch = contact_patch(contact, 1.0)
+    length = si(max(patch[0][1], patch[1][1]), "m")
+    wide, high = _map_size(contact)
+    fig = style.new_figure(1.7 + 1.1 * wide, 1.3 + 1.1 * high, to_scale=True)
+    ax = fig.subplots()
+    label = heat.label("", "w^f")
+    _draw_size(ax, state, around, length, heat, (_HEAT_MAP, label), cells=cells, stick=_STICK)
+    patch = contact_patch(contact, length.size)
+    ax.set_xlim(*patch[0])
+    ax.set_ylim(*patch[1])
+    ax.set_xlabel(length.label("", "x'"))
+    ax.set_ylabel(length.label("", "y'"))
+    ax.set_title(title)
+    if not cells:
+        _name_edges(fig, state)
+    return fig
+
+
+_HEAT_MAP = "inferno"
+
+
+def _name_edges(fig: Figure, state: _Tangential) -> None:
+    """Below the map: which line is the edge of what."""
+    named = [Line2D([], [], color="black", linewidth=1.0, label="edge of the contact")]
+    if state.sticking.any() and not state.sticking.all():
+        named.append(Line2D([], [], color=_STICK, linewidth=1.0, label="edge of what sticks"))
+    fig.legend(handles=named, loc="outside lower center", ncols=2 if fig.get_figwidth() > 4.0 else 1)
+
+
+def _heat_line(state: _Tangential, values: FloatArray, heat: Scale, title: str) -> Figure:
+    """In plane strain."""
+    contact = state.contact
+    left, right = contact_patch(contact, 1.0)[0]
+    length = si(max(-left, right), "m")
+    shown = (left <= contact.x) & (contact.x <= right)
+    fig = style.new_figure(5.8, 3.3)
+    ax = fig.subplots()
+    place = contact.x[shown] / length.size
+    _shade(ax, place, state.sticking[0, shown])
+    ax.plot(place, values[shown] / heat.size, marker="o", markersize=2.5, color=style.LOWER)
+    for number, at in enumerate(contact_span(contact)):
+        label = "edge of the contact" if number == 0 else "_"
+        ax.axvline(at / length.size, color="black", linewidth=1.0, label=label)
+    ax.set_xlim(left / length.size, right / length.size)
+    ax.set_ylim(bottom=0.0)
+    ax.set_xlabel(length.label("", "x'"))
+    ax.set_ylabel(heat.label("", "w^f"))
+    ax.set_title(title)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0)
+    return fig
 
 
 @dataclass(frozen=True, eq=False)
@@ -371,7 +497,7 @@ def stick_slip_profiles(states: Sequence[tuple[Run, Snapshot, Look]]) -> Figure:
     upper.set_ylabel(shear.label("shear", "q"))
     lower.set_title(f"(b)  slip since {_since([run for run, _, _ in states])}")
     lower.set_ylabel(slip.label("slip", "s"))
-    lower.set_xlabel(length.label("along the motion", r"\xi"))
+    lower.set_xlabel(length.label("along the motion", r"x_\parallel"))
     if alone:
         upper.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0)
     legend_beside(upper, [look for _, _, look in states])

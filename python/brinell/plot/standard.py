@@ -25,8 +25,9 @@ class Named:
     name: str
     caption: str
     """A sentence or two, for readers who see it and for those who cannot."""
-    group: Literal["result", "loaded", "residual", "course", "energy"]
-    """What it is about: the result of the scenario, a loaded state, what is left, step by step, or the energies."""
+    group: Literal["result", "loaded", "end", "residual", "course", "energy"]
+    """What it is about: the result of the scenario, a loaded state, the end of a run that leaves the bodies pressed
+    together, what is left after unloading, step by step, or the energies."""
     figure: Figure
 
 
@@ -41,9 +42,11 @@ def standard_figures(run: Run) -> Iterator[Named]:
     if run.steps:
         yield from _of_loaded_state(run, run.snapshot("aligned"))
     if run.complete:
-        yield from _of_final_state(run, run.snapshot("final", tensors=True))
+        final = run.snapshot("final", tensors=True)
+        yield from _of_final_state(run, final)
         if (worn := wear.worn_profiles(run)) is not None:
-            yield Named("worn-profiles", "Depth that both surfaces have lost, along and across.", "residual", worn)
+            caption = "Depth that both surfaces have lost, along and across."
+            yield Named("worn-profiles", caption, _end_of(final), worn)
     caption = "Forces, energies, permanent deformation and cost, step by step."
     yield Named("history", caption, "course", history.run_history(run))
     if (warm := temperature.surface_temperatures(run)) is not None:
@@ -98,17 +101,22 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
         yield Named(f"loaded-{name}", caption, "loaded", draw())
 
 
+def _end_of(final: Snapshot) -> Literal["end", "residual"]:
+    """Fretting ends under load, most scenarios without."""
+    return "end" if final.in_contact else "residual"
+
+
 def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     """What is left when the bodies have parted, or at the end if they have not; nothing if none has yielded."""
     if not any(np.any(body.equivalent_plastic_strain) for body in (snapshot.lower, snapshot.upper)):
         return
     when, kind = ("at the end, under load", "Stress") if snapshot.in_contact else ("after unloading", "Residual stress")
     caption = f"Residual surfaces {when}: profile on y = 0, and maps."
-    yield Named("residual-surfaces", caption, "residual", fields.residual_surfaces(run, snapshot))
+    yield Named("residual-surfaces", caption, _end_of(snapshot), fields.residual_surfaces(run, snapshot))
     caption = f"{kind} and plastic strain in the plane y = 0 {when}."
-    yield Named("residual-section", caption, "residual", fields.section(run, snapshot))
+    yield Named("residual-section", caption, _end_of(snapshot), fields.section(run, snapshot))
     if any(np.any(stress) for body in (snapshot.lower, snapshot.upper) for stress in body.stress.values()):
         has_places = not _moves(run) and "x" in run.history
         x, under = (float(run.history["x"][0]), "the first place") if has_places else (0.0, "the point x = y = 0")
         caption = f"{kind} and plastic strain over the depth under {under}{', under load' * snapshot.in_contact}."
-        yield Named("residual-depth", caption, "residual", depth.stress_over_depth(run, snapshot, x=x))
+        yield Named("residual-depth", caption, _end_of(snapshot), depth.stress_over_depth(run, snapshot, x=x))

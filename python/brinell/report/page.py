@@ -31,6 +31,7 @@ __all__ = ["write_report"]
 _GROUPS: Mapping[str, str] = {
     "result": "Results",
     "loaded": "Under load",
+    "end": "At the end, under load",
     "residual": "After unloading",
     "course": "Course of the run",
     "energy": "Energy balance",
@@ -99,8 +100,8 @@ def _content(run: Run) -> dict[str, Any]:
     # Reading plotly takes time that other commands should not spend.
     from plotly.offline import get_plotlyjs, get_plotlyjs_version
 
-    loaded, unloaded = _states(run)
-    pictures = pictures_of(loaded, unloaded)
+    loaded, final = _states(run)
+    pictures = pictures_of(loaded, final)
     templates = files("brinell.report") / "templates"
     tools = {"brinell": brinell.__version__, "matplotlib": matplotlib.__version__, "plotly.js": get_plotlyjs_version()}
     return {
@@ -131,7 +132,7 @@ def _content(run: Run) -> dict[str, Any]:
 
 
 def _states(run: Run) -> tuple[Snapshot | None, Snapshot | None]:
-    """Under load and after the run, as far as they are stored and there is something in them."""
+    """Under load and at the end, as far as they are stored and there is something in them."""
     aligned = run.snapshot("aligned") if run.steps else None
     loaded = aligned if aligned is not None and aligned.in_contact else None
     return loaded, run.snapshot("final", tensors=True) if run.complete else None

@@ -33,7 +33,7 @@ FIELD_BYTES = 2_000_000
 _SURFACE_POINTS = 160  # along each direction, at most
 _WORTH_SEEING = 0.02  # of the largest value of a field
 _LOADED = ("von_mises_stress",)
-_UNLOADED = ("equivalent_plastic_strain", "von_mises_stress", "stress_xx", "stress_yy", "stress_zz", "stress_xz")
+_FINAL = ("equivalent_plastic_strain", "von_mises_stress", "stress_xx", "stress_yy", "stress_zz", "stress_xz")
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,18 +64,18 @@ class _Volume:
     """Largest, over the directions."""
 
 
-def pictures_of(loaded: Snapshot | None, unloaded: Snapshot | None) -> Pictures:
+def pictures_of(loaded: Snapshot | None, final: Snapshot | None) -> Pictures:
     """Surfaces of the last state and fields of both.
 
     Args:
         loaded: under load, if any such state is stored.
-        unloaded: after the run, with tensors, if there is one.
+        final: after the run, with tensors, if there is one; some runs leave the bodies pressed together.
     """
-    last = unloaded if unloaded is not None else loaded
+    last = final if final is not None else loaded
     surfaces = [_surface(side) for side in (sides(last) if last is not None else [])]
     chosen = [
         (side, snapshot, quantities)
-        for snapshot, names in ((loaded, _LOADED), (unloaded, _UNLOADED))
+        for snapshot, names in ((loaded, _LOADED), (final, _FINAL))
         if snapshot is not None
         for side in sides(snapshot)
         if (quantities := _present(side, names))
@@ -106,8 +106,16 @@ def _volume(side: Side, snapshot: Snapshot, quantities: list[Quantity], cells: i
 
     while np.prod([len(kept(axis)) for axis in range(3)]) > cells:
         strides[int(np.argmax([len(kept(axis)) for axis in range(3)]))] += 1
-    state = "under load" if snapshot.in_contact else "after unloading"
-    return _Volume(side, state, snapshot.in_contact, quantities, (kept(0), kept(1), kept(2)), max(strides))
+    return _Volume(
+        side, _state_of(snapshot), snapshot.in_contact, quantities, (kept(0), kept(1), kept(2)), max(strides)
+    )
+
+
+def _state_of(snapshot: Snapshot) -> str:
+    """What the state is, in words."""
+    if not snapshot.in_contact:
+        return "after unloading"
+    return "at the end, under load" if snapshot.is_final else "under load"
 
 
 def _range(worth: NDArray[np.bool_]) -> tuple[int, int]:

@@ -157,7 +157,8 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "fretting",
-        "Loops of force over displacement, stick, slip and shear over the contact, cycle by cycle, step by step.",
+        "Loops of force over displacement, stick, slip, shear and heat of friction over the contact, cycle by cycle, "
+        "step by step.",
         {
             "loops": Drawing(
                 fretting.force_loops,
@@ -172,6 +173,11 @@ def _drawings() -> Drawings:
                 fretting.contact_profiles,
                 "Along the motion through the middle of the contact: the shear between the bounds of friction, and the "
                 "slip.",
+            ),
+            "contact-heat": Drawing(
+                fretting.contact_heat,
+                "Energy that friction has dissipated per area from the start to the last turn, with the edges of the "
+                "contact and of what sticks.",
             ),
             "cycles": Drawing(
                 fretting.cycle_by_cycle,

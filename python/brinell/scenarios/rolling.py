@@ -222,12 +222,12 @@ def _panels() -> tuple[Panel, Panel]:
 
 
 def _drawings() -> Drawings:
-    from brinell.plot import rolling
+    from brinell.plot import creepage, rolling
 
     return Drawings(
         "rolling",
-        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it, stick and "
-        "slip.",
+        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it; with "
+        "creepage stick, slip and heat of friction, and of several runs the creep curve.",
         {
             "passes": Drawing(
                 rolling.pass_by_pass,
@@ -248,10 +248,16 @@ def _drawings() -> Drawings:
                 "With creepage: forces and moment between the surfaces over friction times load, and the share of the "
                 "contact that sticks, over the distance rolled.",
             ),
+            "creep-curve": Drawing(creepage.creep_curve),
             "contact-maps": Drawing(
                 rolling.creep_maps,
                 "With creepage: pressure with the shear on the lower body as arrows, what sticks and what slips, shear "
                 "and slip, in the middle of the track.",
+            ),
+            "contact-heat": Drawing(
+                rolling.creep_heat,
+                "With creepage: energy that friction has dissipated per area since each place came under the contact, "
+                "in the middle of the track, with the edges of the contact and of what sticks.",
             ),
             "contact-profiles": Drawing(
                 rolling.creep_profiles,
