@@ -2,7 +2,7 @@
 """Heat: a flux into the surface of a half space, the rise of its temperature, and how that swells and stresses it.
 
 The grid is at rest on the body, and the flux moves over it; no heat leaves the surface elsewhere. Arrays are [y, x].
-The method is on the page on heat of the theory. No scenario uses it yet.
+The method is on the page on heat of the theory. Tugging, rolling and sliding use it.
 
     grid = SurfaceGrid(64, 64, 1e-5, 1e-5)
     steel = Thermal(conductivity=50, density=7850, specific_heat=450)
