@@ -3,14 +3,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import brinell
 from brinell import InputError
+from brinell.plot import style
+from brinell.plot.cli import plot
 from brinell.plot.energy import balance_error
 from brinell.results import Run
+from figure_parts import texts
 
 THERMAL = brinell.Thermal.carbon_steel()
 
@@ -138,6 +145,42 @@ def test_figures(run: Run) -> None:
     plt.close("all")
     cold = tugging(interface={"friction": 0.1}, speed=None, material=brinell.Material("200 GPa", 0.3))
     assert brinell.plot.surface_temperatures(cold.run(in_memory=True)) is None
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_temperature_on_a_plane(run: Run, tmp_path: Path) -> None:
+    """From the coldest place to the hottest of both bodies, in degrees, under load and after."""
+    for state in ("aligned", "final"):
+        snapshot = run.snapshot(state)
+        bodies = (snapshot.lower, snapshot.upper)
+        fig = brinell.plot.section(run, snapshot, field="temperature")
+        middle = bodies[0].y.size // 2
+        shown = [body.temperature[:, middle] for body in bodies]
+        for image, values in zip(fig.axes[0].images, shown, strict=True):
+            np.testing.assert_array_equal(image.get_array(), values)
+            assert (image.norm.vmin, image.norm.vmax) == (np.min(shown), np.max(shown))
+            assert image.get_cmap().name == style.TEMPERATURE_MAP
+        assert "Temperature" in texts(fig)
+        assert "$T$  [°C]" in texts(fig)
+    done = CliRunner().invoke(plot, ["section", str(run.path), "--field", "temperature", "-o", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    assert [path.name for path in tmp_path.iterdir()] == ["aligned-section-y-0um-temperature.png"]
+
+
+def test_a_body_that_is_warm_all_over_has_a_range_of_colours() -> None:
+    _, norm = brinell.plot.QUANTITIES["temperature"].colours(20.0, 20.0)
+    assert (norm.vmin, norm.vmax) == (20.0, 21.0)
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_an_elastic_body_shows_its_temperature_without_its_stress(run: Run) -> None:
+    """Its other fields may be zero, or not stored."""
+    final = run.snapshot("final")
+    strain = np.zeros_like(final.upper.equivalent_plastic_strain)
+    elastic = replace(final.upper, von_mises_stress=None, equivalent_plastic_strain=strain)
+    state = replace(final, upper=elastic)
+    for field, bodies in (("temperature", 2), ("equivalent_plastic_strain", 1)):
+        assert len(brinell.plot.section(run, state, field=field).axes[0].images) == bodies
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
