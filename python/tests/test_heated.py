@@ -17,7 +17,7 @@ from brinell.plot import style
 from brinell.plot.cli import plot
 from brinell.plot.energy import balance_error
 from brinell.results import Run
-from figure_parts import texts
+from figure_parts import legend_of, texts
 
 THERMAL = brinell.Thermal.carbon_steel()
 
@@ -137,14 +137,51 @@ def test_a_steady_source_and_a_conductance() -> None:
 def test_figures(run: Run) -> None:
     fig = brinell.plot.surface_temperatures(run)
     assert fig is not None
-    lines = fig.axes[0].lines
+    lines = fig.axes[0].lines[:2]  # and one at alignment
     assert [line.get_label() for line in lines] == ["lower", "upper"]
     assert lines[0].get_ydata() == pytest.approx(run.history["max_temperature_lower"])
+    assert lines[0].get_xdata() == pytest.approx(run.history["X"] / run.equivalent_radius)
+    assert fig.axes[1].get_xlabel() == brinell.plot.run_history(run).axes[-1].get_xlabel()
     names = [named.name for named in brinell.plot.standard_figures(run)]
     assert "surface-temperatures" in names
     plt.close("all")
-    cold = tugging(interface={"friction": 0.1}, speed=None, material=brinell.Material("200 GPa", 0.3))
-    assert brinell.plot.surface_temperatures(cold.run(in_memory=True)) is None
+
+
+@pytest.fixture(scope="module")
+def cold() -> Run:
+    return tugging(speed=None, material=brinell.Material("200 GPa", 0.3)).run(in_memory=True)
+
+
+def test_a_run_without_heat_has_no_figure_of_it(cold: Run) -> None:
+    assert brinell.plot.surface_temperatures(cold) is None
+
+
+def cylinder_that_skids(**arguments: object) -> brinell.Rolling:
+    """A rigid cylinder, which takes no heat, in plane strain."""
+    elastic = brinell.Material("200 GPa", 0.3, thermal=THERMAL)
+    given: dict = {"hertz_pressure": "1 GPa", "distance": "0.4 mm", "slide_to_roll": 1.0, "speed": "1 m/s"}
+    given |= {"interface": {"friction": 0.1}, "grid": {"resolution": 4, "boundary": ["open", "periodic"]}}
+    roller = brinell.Body(brinell.Cylinder("10 mm"), brinell.RIGID)
+    return brinell.Rolling(brinell.Body(brinell.Flat(), elastic), roller, **(given | arguments))
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_surface_temperatures_of_rolling_are_drawn_over_the_distance() -> None:
+    """Pass after pass, without the steps that press on and lift off, which have no distance."""
+    run = cylinder_that_skids(passes=2).run(in_memory=True)
+    fig = brinell.plot.surface_temperatures(run)
+    assert fig is not None
+    first, second = (line for line in fig.axes[0].lines[:2])
+    x = np.concatenate([np.asarray(line.get_xdata(), dtype=float) for line in (first, second)])
+    assert x[0] == 0.0
+    assert second.get_xdata()[0] == first.get_xdata()[-1]
+    one = run.history.passes()[0]
+    rolled = np.ptp(one["x"])
+    assert x[-1] == pytest.approx(2.0 * rolled * 1e6, rel=1e-12)  # in µm
+    steps = len(np.unique(one["x"]))
+    assert len(first.get_xdata()) == len(second.get_xdata()) == steps < len(one["x"])
+    assert fig.axes[0].get_xlabel() == "distance rolled  $s$  [µm]"
+    assert legend_of(fig.axes[0]) == ["lower", "upper"]
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")

@@ -48,7 +48,7 @@ def standard_figures(run: Run) -> Iterator[Named]:
     yield Named("history", caption, "course", history.run_history(run))
     if (warm := temperature.surface_temperatures(run)) is not None:
         caption = (
-            "Step by step: temperature of the hottest place of each surface, and the heat that each body has taken."
+            "Over the distance: temperature of the hottest place of each surface, and heat that each body has taken."
         )
         yield Named("surface-temperatures", caption, "course", warm)
     if (course := wear.worn_course(run)) is not None:
