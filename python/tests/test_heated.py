@@ -10,14 +10,16 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from matplotlib.colors import Normalize
 
 import brinell
 from brinell import InputError
-from brinell.plot import style
+from brinell.plot import fields, style, surface_temperature_maps, surface_temperatures
 from brinell.plot.cli import plot
 from brinell.plot.energy import balance_error
-from brinell.results import Run
-from figure_parts import legend_of, texts
+from brinell.report.volumes import pictures_of
+from brinell.results import Run, RunError, Snapshot
+from figure_parts import curve, legend_of, texts
 
 THERMAL = brinell.Thermal.carbon_steel()
 
@@ -143,7 +145,7 @@ def test_figures(run: Run) -> None:
     assert lines[0].get_xdata() == pytest.approx(run.history["X"] / run.equivalent_radius)
     assert fig.axes[1].get_xlabel() == brinell.plot.run_history(run).axes[-1].get_xlabel()
     names = [named.name for named in brinell.plot.standard_figures(run)]
-    assert "surface-temperatures" in names
+    assert {"surface-temperatures", "surface-temperature-maps", "loaded-temperature"} <= set(names)
     plt.close("all")
 
 
@@ -152,8 +154,17 @@ def cold() -> Run:
     return tugging(speed=None, material=brinell.Material("200 GPa", 0.3)).run(in_memory=True)
 
 
-def test_a_run_without_heat_has_no_figure_of_it(cold: Run) -> None:
-    assert brinell.plot.surface_temperatures(cold) is None
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_a_run_without_heat_has_no_figures_of_it(cold: Run) -> None:
+    assert surface_temperatures(cold) is None
+    snapshot = cold.snapshot("aligned")
+    assert not fields.suits("temperature", snapshot)
+    assert not fields.suits("surface-temperature-maps", snapshot)
+    assert not [named.name for named in brinell.plot.standard_figures(cold) if "temperature" in named.name]
+    with pytest.raises(RunError, match="temperature is not stored"):
+        brinell.plot.section(cold, snapshot, field="temperature")
+    with pytest.raises(RunError, match="no heat in the state"):
+        surface_temperature_maps(cold, snapshot)
 
 
 def cylinder_that_skids(**arguments: object) -> brinell.Rolling:
@@ -169,7 +180,7 @@ def cylinder_that_skids(**arguments: object) -> brinell.Rolling:
 def test_surface_temperatures_of_rolling_are_drawn_over_the_distance() -> None:
     """Pass after pass, without the steps that press on and lift off, which have no distance."""
     run = cylinder_that_skids(passes=2).run(in_memory=True)
-    fig = brinell.plot.surface_temperatures(run)
+    fig = surface_temperatures(run)
     assert fig is not None
     first, second = (line for line in fig.axes[0].lines[:2])
     x = np.concatenate([np.asarray(line.get_xdata(), dtype=float) for line in (first, second)])
@@ -182,6 +193,20 @@ def test_surface_temperatures_of_rolling_are_drawn_over_the_distance() -> None:
     assert len(first.get_xdata()) == len(second.get_xdata()) == steps < len(one["x"])
     assert fig.axes[0].get_xlabel() == "distance rolled  $s$  [µm]"
     assert legend_of(fig.axes[0]) == ["lower", "upper"]
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+@pytest.mark.parametrize("cells", [False, True])
+def test_heat_of_a_row_of_cells_is_drawn_as_lines(cells: bool) -> None:
+    """In plane strain; of the body that takes heat."""
+    run = cylinder_that_skids().run(in_memory=True)
+    snapshot = run.snapshot("aligned")
+    warm, taken = surface_temperature_maps(run, snapshot, cells=cells).axes
+    assert legend_of(warm) == ["lower", "contact"]
+    temperature, flux = curve(warm, "lower").get_ydata(), curve(taken, "lower").get_ydata()
+    np.testing.assert_array_equal(temperature, snapshot.contact.temperature_lower[0])
+    np.testing.assert_allclose(1e6 * np.asarray(flux), snapshot.contact.heat_flux_lower[0])
+    assert taken.get_ylabel() == "$q$  [MW/m²]"
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
@@ -218,6 +243,93 @@ def test_an_elastic_body_shows_its_temperature_without_its_stress(run: Run) -> N
     state = replace(final, upper=elastic)
     for field, bodies in (("temperature", 2), ("equivalent_plastic_strain", 1)):
         assert len(brinell.plot.section(run, state, field=field).axes[0].images) == bodies
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+@pytest.mark.parametrize("cells", [False, True])
+def test_maps_of_the_surfaces(run: Run, cells: bool) -> None:
+    snapshot = run.snapshot("aligned")
+    contact = snapshot.contact
+    fig = surface_temperature_maps(run, snapshot, cells=cells)
+    maps = [ax for ax in fig.axes if ax.images]
+    assert [ax.get_title(loc="left") for ax in maps] == [
+        "(a)  temperature of the lower surface",
+        "(b)  temperature of the upper surface",
+        "(c)  heat flux into the lower body",
+        "(d)  heat flux into the upper body",
+    ]
+    for ax, values in zip(maps, (contact.temperature_lower, contact.temperature_upper), strict=False):
+        np.testing.assert_array_equal(ax.images[0].get_array(), values)
+    assert {"$T$  [°C]", "$q$  [MW/m²]"} <= set(texts(fig))
+    for left, right in (maps[:2], maps[2:]):  # equal colours mean equal values
+        norms: list[Normalize] = [left.images[0].norm, right.images[0].norm]
+        assert (norms[0].vmin, norms[0].vmax) == (norms[1].vmin, norms[1].vmax)
+    flux = maps[2].images[0]
+    assert flux.norm.vmin == -flux.norm.vmax  # hot material gives heat back to cold that comes
+    assert contact.heat_flux_lower.min() < 0.0
+    assert all(ax.collections for ax in maps[:2])  # the edge of contact
+    if cells:
+        np.testing.assert_array_equal(flux.get_array().mask, contact.pressure == 0.0)
+        inside = contact.pressure > 0.0
+        np.testing.assert_allclose(1e6 * flux.get_array()[inside], contact.heat_flux_lower[inside])
+    else:
+        assert all(ax.collections for ax in maps[2:])
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_maps_of_surfaces_that_have_parted_show_temperatures_only(run: Run) -> None:
+    final = run.snapshot("final")
+    assert not final.in_contact
+    maps = [ax for ax in surface_temperature_maps(run, final).axes if ax.images]
+    assert [ax.get_title(loc="left")[5:] for ax in maps] == [
+        f"temperature of the {side} surface" for side in ("lower", "upper")
+    ]
+    assert not any(ax.collections for ax in maps)
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_a_body_without_thermal_constants_has_no_map() -> None:
+    elastic = brinell.Material("200 GPa", 0.3, thermal=THERMAL)
+    ball = brinell.Body(brinell.Sphere("10 mm"), brinell.RIGID)
+    case = brinell.Rolling(
+        brinell.Body(brinell.Flat(), elastic),
+        ball,
+        load="20 N",
+        distance="0.3 mm",
+        slide_to_roll=2.0,
+        speed="1 m/s",
+        interface={"friction": 0.1},
+        grid={"resolution": 4},
+    )
+    run = case.run(in_memory=True)
+    maps = [ax for ax in surface_temperature_maps(run, "aligned").axes if ax.images]
+    assert [ax.get_title(loc="left") for ax in maps] == [
+        "(a)  temperature of the lower surface",
+        "(b)  heat flux into the lower body",
+    ]
+    assert maps[1].images[0].norm.vmin == 0.0  # no heat comes out
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_heat_of_one_state_on_the_command_line(run: Run, tmp_path: Path) -> None:
+    done = CliRunner().invoke(plot, ["fields", str(run.path), "-o", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    written = {path.name for path in tmp_path.iterdir()}
+    assert {"aligned-temperature.png", "aligned-surface-temperature-maps.png"} <= written
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_a_report_shows_the_temperature_in_the_bodies(run: Run, tmp_path: Path) -> None:
+    loaded: Snapshot = run.snapshot("aligned")
+    for volume in pictures_of(loaded, None).volumes:
+        (found,) = [one for one in volume["fields"] if one["title"] == "Temperature"]
+        body = loaded.lower if volume["body"] == "lower body" else loaded.upper
+        assert found["unit"] == "°C"
+        assert found["high"] == body.temperature.max()
+        assert 19.0 < found["low"] < 25.0
+    page = brinell.report.write_report(run, tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Temperatures of both surfaces and heat flux into each body" in page
+    assert "Temperature in the plane y = 0" in page
 
 
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")

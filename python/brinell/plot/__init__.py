@@ -4,11 +4,11 @@
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
 over a period), `fields`, `sections` and `depth` (one state of any scenario), `slip` (stick and slip in one state),
-`history`, `energy`, `temperature` and `wear` (one run step by step), `animation` and `pressure` (one pass as a moving
-picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run), `surfaces` (a height map),
-`cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each quantity is divided by),
-`quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
-`states` (which state and which bodies), `cells` (cell values as pictures).
+`history`, `energy` and `wear` (one run step by step), `temperature` (step by step, and in one state), `animation` and
+`pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a
+run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what
+each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
+(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -41,7 +41,7 @@ from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
-from brinell.plot.temperature import surface_temperatures
+from brinell.plot.temperature import surface_temperature_maps, surface_temperatures
 from brinell.plot.wear import worn_course, worn_profiles
 
 __all__ = [
@@ -88,6 +88,7 @@ __all__ = [
     "stress_over_depth",
     "stroke_by_stroke",
     "surface",
+    "surface_temperature_maps",
     "surface_temperatures",
     "surfaces_before_and_after",
     "track_profile",
