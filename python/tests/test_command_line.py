@@ -269,7 +269,9 @@ def test_keys_are_completed() -> None:
     assert offered("check", "case.toml", "--set", "grid.s") == ["grid.size=", "grid.spacing="]
     assert offered("cite", "--set", "title=x", "--set", "solver.integration=b") == ["solver.integration=backward_euler"]
     shell = ShellComplete(cli.root, {}, "brinell", completion.VARIABLE)
-    assert shell.get_completions(["run", "--set"], "tugging.passes")[0].help.startswith("Number of passes of the upper body")
+    assert shell.get_completions(["run", "--set"], "tugging.passes")[0].help.startswith(
+        "Number of passes of the upper body"
+    )
 
 
 def test_scenarios_are_completed() -> None:

@@ -199,7 +199,7 @@ def test_pile_up_and_groove_have_a_half_of_the_bar_each(make_run: MakeRun) -> No
 def test_an_unknown_field_names_the_known_ones() -> None:
     with pytest.raises(ValueError, match=r"did you mean von_mises_stress.*stress_xz"):
         quantity_of("von_mises")
-    assert len(QUANTITIES) == 14
+    assert len(QUANTITIES) == 15
 
 
 # --- Gap, depth, energy -----------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
 over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
-scenario), `slip` (stick and slip in one state), `history`, `energy`, `temperature` and `wear` (one run step by step),
+scenario), `slip` (stick and slip in one state), `history`, `energy` and `wear` (one run step by step), `temperature` (step by step, and in one state),
 `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities),
 `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all
 figures), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on
@@ -51,7 +51,7 @@ from brinell.plot.slip import friction_heat_map, stick_slip_maps, stick_slip_pro
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
-from brinell.plot.temperature import surface_temperatures
+from brinell.plot.temperature import surface_temperature_maps, surface_temperatures
 from brinell.plot.wear import worn_course, worn_profiles
 
 __all__ = [
@@ -102,6 +102,7 @@ __all__ = [
     "stress_over_depth",
     "stroke_by_stroke",
     "surface",
+    "surface_temperature_maps",
     "surface_temperatures",
     "surfaces_before_and_after",
     "track_profile",

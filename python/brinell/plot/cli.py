@@ -205,7 +205,7 @@ def _state_name(which: int | str) -> str:
 @_takes_si
 @reports_errors
 def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, formats: list[str]) -> None:
-    """Pressure, gap, residual surfaces, stress, plastic strain, stick, slip and heat of friction of one state."""
+    """Contact pressure, gap, residual surfaces, stress, plastic strain, stick and slip, and heat of one state."""
     opened = open_run(run, allow_unfinished=True)
     for which in steps:
         snapshot = opened.snapshot(which)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of one state: contact pressure, residual surfaces, stress and plastic strain under the contact."""
+"""Pictures of one state: contact pressure, residual surfaces, stress, plastic strain and heat under the contact."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from brinell.plot import style
 from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cells, extent, refined
 from brinell.plot.scales import Scale, Scales
-from brinell.plot.sections import section
+from brinell.plot.sections import name_contact_axes, section
 from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps
 from brinell.plot.states import Side, of_state, sides, state_title
+from brinell.plot.temperature import has_heat, surface_temperature_maps, temperature_section
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
 
@@ -55,7 +56,7 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
     draw = _pressure_cells if cells else _smooth_pressure
     image = draw(ax, contact, length.size, pressure.size)
     _crop(ax, *contact_patch(contact, length.size))
-    _name_axes(ax, length, snapshot)
+    name_contact_axes(ax, length, snapshot)
     ax.set_title(title)
     fig.colorbar(image, ax=ax, label=pressure.label("", "p"), pad=0.02)
     return fig
@@ -168,17 +169,10 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
         linewidths=1.0,
     )
     _crop(ax, *ranges)
-    _name_axes(ax, length, snapshot)
+    name_contact_axes(ax, length, snapshot)
     ax.set_title(title)
     fig.colorbar(image, ax=ax, label=gap.label("", "h"), pad=0.02)
     return fig
-
-
-def _name_axes(ax: Axes, length: Scale, snapshot: Snapshot) -> None:
-    """Of a map of the contact."""
-    moves = SCENARIOS[snapshot.scenario].motion is not None
-    ax.set_xlabel(length.label("along the motion" if moves else "", "x'"))
-    ax.set_ylabel(length.label("across" if moves else "", "y'", value=False))
 
 
 def _height(body: BodyFields) -> FloatArray:
@@ -315,14 +309,20 @@ FIGURES: dict[str, Callable[..., Figure]] = {
     "section": section,
     "stick-slip": stick_slip_maps,
     "friction-heat": friction_heat_map,
+    "temperature": temperature_section,
+    "surface-temperature-maps": surface_temperature_maps,
 }
 """What the command `fields` writes: end of the file name and function."""
 
 
 def suits(name: str, snapshot: Snapshot) -> bool:
-    """Whether a figure of `FIGURES` has something to draw: contact, or what sticks and slips there."""
+    """Whether a figure of `FIGURES` has something to draw: contact, what sticks and slips there, or heat."""
     if name == "stick-slip":
         return has_slip(snapshot) and not _is_one_row(snapshot.contact)
     if name == "friction-heat":
         return has_friction_heat(snapshot)
+    if name == "temperature":
+        return any(body.temperature is not None for body in (snapshot.lower, snapshot.upper))
+    if name == "surface-temperature-maps":
+        return has_heat(snapshot)
     return snapshot.in_contact or name not in ("pressure", "gap")

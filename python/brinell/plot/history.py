@@ -22,6 +22,7 @@ __all__ = [
     "Course",
     "Panel",
     "approach",
+    "course_of",
     "force_across_and_slopes",
     "force_along_surface",
     "normal_force",
@@ -67,7 +68,8 @@ class Course:
             ax.plot(x, one[name] / scale.size, label=label if index == 0 else "_", **look)
 
 
-def _course(run: Run) -> Course:
+def course_of(run: Run) -> Course:
+    """Over the steps; of a tugging over the sliding coordinate, or the distance slid in several passes."""
     passes = [run.history] if SCENARIOS[run.scenario].continuous else run.history.passes()
     scales = Scales(run)
     abscissa = SCENARIOS[run.scenario].abscissa
@@ -245,7 +247,7 @@ def run_history(run: Run) -> Figure:
 
     Works for a run that has not finished: the axes are then in SI.
     """
-    course, traits = _course(run), SCENARIOS[run.scenario]
+    course, traits = course_of(run), SCENARIOS[run.scenario]
     panels = (*traits.panels(), *_COMMON)
     fig = style.new_figure(12.0, 6.6)
     axes = fig.subplots(2, 3, sharex=True)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from brinell._names import did_you_mean
 from brinell.errors import InputError
 from brinell.plot import style
-from brinell.plot.scales import PERCENT, Scale, Scales
+from brinell.plot.scales import DEGREES, PERCENT, Scale, Scales
 from brinell.results import COMPONENTS, BodyFields
 
 __all__ = ["QUANTITIES", "Quantity", "needs_tensors", "quantity_of"]
@@ -31,13 +31,15 @@ class Quantity:
     title: str
     symbol: str
     """LaTeX."""
-    kind: Literal["stress", "strain"]
+    kind: Literal["stress", "strain", "temperature"]
     component: str = ""
     """Of a tensor: xx ... xy; empty for an equivalent value, which is never negative."""
 
     def values(self, body: BodyFields) -> FloatArray | None:
         """SI, [z][y][x]; None if the body has none stored."""
-        if self.component:
+        if self.kind == "temperature":
+            found = body.temperature
+        elif self.component:
             found = (body.stress if self.kind == "stress" else body.plastic_strain).get(self.component)
         else:
             found = body.von_mises_stress if self.kind == "stress" else body.equivalent_plastic_strain
@@ -45,16 +47,17 @@ class Quantity:
 
     def title_in(self, *, in_contact: bool) -> str:
         """What remains after unloading is residual stress."""
-        return (
-            self.title if in_contact or self.kind == "strain" else f"Residual {self.title[0].lower()}{self.title[1:]}"
-        )
+        is_residual = self.kind == "stress" and not in_contact
+        return f"Residual {self.title[0].lower()}{self.title[1:]}" if is_residual else self.title
 
     def scale(self, scales: Scales, largest: float) -> Scale:
         """What it is drawn over."""
-        return scales.stress(largest) if self.kind == "stress" else PERCENT
+        return DEGREES if self.kind == "temperature" else scales.stress(largest) if self.kind == "stress" else PERCENT
 
     def colours(self, lowest: float, highest: float) -> tuple[str, Normalize]:
-        """Colour map and range: from 0 up, or as far to both sides of 0."""
+        """Colour map and range: from 0 up, or as far to both sides of 0; of temperatures from the lowest one up."""
+        if self.kind == "temperature":
+            return style.TEMPERATURE_MAP, Normalize(lowest, highest if highest > lowest else lowest + 1.0)
         if not self.component:
             return (style.STRESS_MAP if self.kind == "stress" else style.STRAIN_MAP), Normalize(0.0, highest or 1.0)
         reach = max(-lowest, highest) or 1.0
@@ -71,6 +74,7 @@ QUANTITIES: Mapping[str, Quantity] = {
             Quantity(f"plastic_strain_{c}", f"Plastic strain ${c}$", rf"\varepsilon^p_{{{c}}}", "strain", c)
             for c in COMPONENTS
         ),
+        Quantity("temperature", "Temperature", "T", "temperature"),
     )
 }
 """By name."""

@@ -20,7 +20,18 @@ from brinell.plot import style
 from brinell.results import Run
 from brinell.scenarios import SCENARIOS
 
-__all__ = ["PERCENT", "Scale", "Scales", "area_scale", "common_scales", "draws_si", "in_si", "si", "twin_axis"]
+__all__ = [
+    "DEGREES",
+    "PERCENT",
+    "Scale",
+    "Scales",
+    "area_scale",
+    "common_scales",
+    "draws_si",
+    "in_si",
+    "si",
+    "twin_axis",
+]
 
 _IN_SI: ContextVar[bool] = ContextVar("in_si", default=False)
 
@@ -74,6 +85,9 @@ class Scale:
 
 PERCENT = Scale(0.01, "", "%")
 """Of strains."""
+
+DEGREES = Scale(1.0, "", "°C")
+"""Of temperatures, which have no prefixes."""
 
 
 def twin_axis(ax: Axes, which: Literal["x", "y"], drawn: Scale, other: Scale, symbol: str) -> None:

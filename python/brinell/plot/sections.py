@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stress and plastic strain inside the bodies: cuts along any plane."""
+"""Stress, plastic strain and temperature inside the bodies: cuts along any plane."""
 
 from __future__ import annotations
 
@@ -23,8 +23,9 @@ from brinell.plot.quantities import quantity_of
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.states import Bodies, Side, both_sides, chosen_sides, of_state, state_title
 from brinell.results import ContactFields, Run, Snapshot
+from brinell.scenarios import SCENARIOS
 
-__all__ = ["across_label", "draw_contact", "draw_panel", "section", "upright_axes"]
+__all__ = ["across_label", "draw_contact", "draw_outline", "draw_panel", "name_contact_axes", "section", "upright_axes"]
 
 
 _FLAT = 0.3
@@ -45,7 +46,7 @@ def section(
     """Fields of the bodies on a plane, to scale.
 
     On a plane along y or x the lower body lies below, the upper one is mirrored above it; they share the line of
-    contact. A rigid body in contact is a grey strip; a body without stress and strain is left out. On a plane z, at a
+    contact. A rigid body in contact is a grey strip; a body with nothing to show is left out. On a plane z, at a
     depth of each body, there is a picture per body, with the outline of the contact. While the bodies touch, x' is
     measured from the centre of contact, also that of the plane; afterwards each body keeps its own coordinate.
 
@@ -62,8 +63,8 @@ def section(
         InputError: no such field or plane.
     """
     cut = plane_of(plane)
-    drawn = _with_content(chosen_sides(run, snapshot, bodies))
     names = [field] if isinstance(field, str) else field
+    drawn = _with_content(chosen_sides(run, snapshot, bodies), names or ())
     quantities = usual_quantities(drawn) if names is None else [quantity_of(name) for name in names]
     origin = from_contact(snapshot)
     panels = [panel_of(run, snapshot, drawn, quantity, cut, origin) for quantity in quantities]
@@ -76,10 +77,12 @@ def section(
     return fig
 
 
-def _with_content(bodies: list[Side]) -> list[Side]:
-    """The bodies with something to show: an elastic one has nothing once it is unloaded."""
+def _with_content(bodies: list[Side], names: Sequence[str]) -> list[Side]:
+    """The bodies with something to show: an elastic one that is unloaded may have its temperature alone."""
 
     def has_content(side: Side) -> bool:
+        if "temperature" in names and side.body.temperature is not None:
+            return True
         stress = side.body.von_mises_stress
         return bool(np.any(side.body.equivalent_plastic_strain)) or (stress is not None and bool(np.any(stress)))
 
@@ -130,7 +133,7 @@ def _level(
             ax.set_ylim(*(edge / length.size for edge in window.upward))
             _name_body(ax, name, 0.96, "top")
             if snapshot.in_contact:
-                _outline(ax, snapshot.contact, length.size)
+                draw_outline(ax, snapshot.contact, length.size)
         column[0].set_title(panel.title)
         _colour_bar(column, panel, below=len(names) * window.shape < _FLAT)
     for ax in axes[-1]:
@@ -152,6 +155,13 @@ def across_label(length: Scale, plane: Plane, *, from_contact: bool, bodies: int
     if from_contact:
         return length.label("from the centre of contact", "x'")
     return length.label("along the surface" if bodies == 1 else "along each surface", "x")
+
+
+def name_contact_axes(ax: Axes, length: Scale, snapshot: Snapshot) -> None:
+    """Of a map of the contact."""
+    moves = SCENARIOS[snapshot.scenario].motion is not None
+    ax.set_xlabel(length.label("along the motion" if moves else "", "x'"))
+    ax.set_ylabel(length.label("across" if moves else "", "y'", value=False))
 
 
 def draw_panel(ax: Axes, panel: Panel, window: Window, length: float, interpolation: str) -> list[AxesImage]:
@@ -217,9 +227,10 @@ def draw_contact(ax: Axes, contact: ContactFields, plane: Plane, length: float) 
     return line
 
 
-def _outline(ax: Axes, contact: ContactFields, length: float) -> None:
-    """The edge of contact, seen from above."""
-    lines = ax.contour(
-        contact.x / length, contact.y / length, contact_edge(contact), levels=[0.0], colors="white", linewidths=1.0
-    )
+def draw_outline(ax: Axes, contact: ContactFields, length: float) -> None:
+    """The edge of contact, seen from above; with a dark rim, to be seen on any map."""
+    edge = contact_edge(contact)
+    if not edge.min() < 0.0 < edge.max():  # all touches, or nothing
+        return
+    lines = ax.contour(contact.x / length, contact.y / length, edge, levels=[0.0], colors="white", linewidths=1.0)
     lines.set_path_effects([withStroke(linewidth=2.2, foreground="black", alpha=0.6)])

@@ -51,7 +51,7 @@ def standard_figures(run: Run) -> Iterator[Named]:
     yield Named("history", caption, "course", history.run_history(run))
     if (warm := temperature.surface_temperatures(run)) is not None:
         caption = (
-            "Step by step: temperature of the hottest place of each surface, and the heat that each body has taken."
+            "Over the distance: temperature of the hottest place of each surface, and heat that each body has taken."
         )
         yield Named("surface-temperatures", caption, "course", warm)
     if (course := wear.worn_course(run)) is not None:
@@ -99,6 +99,19 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     }
     for name, (caption, draw) in drawn.items():
         yield Named(f"loaded-{name}", caption, "loaded", draw())
+    yield from _of_heat(run, snapshot)
+
+
+def _of_heat(run: Run, snapshot: Snapshot) -> Iterator[Named]:
+    """Of a loaded state: temperatures and heat fluxes of the surfaces, and how deep the heat has come."""
+    where = _place_of_loaded_state(run)
+    if fields.suits("surface-temperature-maps", snapshot):
+        caption = f"Temperatures of both surfaces and heat flux into each body {where}, with the edge of contact."
+        maps = temperature.surface_temperature_maps(run, snapshot)
+        yield Named("surface-temperature-maps", caption, "loaded", maps)
+    if fields.suits("temperature", snapshot):
+        caption = f"Temperature in the plane y = 0 {where}."
+        yield Named("loaded-temperature", caption, "loaded", temperature.temperature_section(run, snapshot))
 
 
 def _end_of(final: Snapshot) -> Literal["end", "residual"]:

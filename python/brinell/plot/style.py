@@ -34,6 +34,7 @@ __all__ = [
     "SIGNED_MAP",
     "STRAIN_MAP",
     "STRESS_MAP",
+    "TEMPERATURE_MAP",
     "UPPER",
     "family_colours",
     "figure",
@@ -55,6 +56,7 @@ CONTACT_LINE = "#000000"
 PRESSURE_MAP = "viridis"
 STRESS_MAP = "magma"
 STRAIN_MAP = "cividis"
+TEMPERATURE_MAP = "inferno"
 GAP_MAP = "Blues"
 SIGNED_MAP = "RdBu_r"  # compression blue, tension red
 RESIDUAL_MAP = "PuOr"  # diverging about the undeformed surface: pile-up against depth

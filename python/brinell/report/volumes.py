@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.quantities import QUANTITIES, Quantity
-from brinell.plot.scales import PERCENT, Scale, si
+from brinell.plot.scales import DEGREES, PERCENT, Scale, si
 from brinell.plot.states import Side, sides
 from brinell.results import Snapshot
 
@@ -32,7 +32,7 @@ FIELD_BYTES = 2_000_000
 
 _SURFACE_POINTS = 160  # along each direction, at most
 _WORTH_SEEING = 0.02  # of the largest value of a field
-_LOADED = ("von_mises_stress",)
+_LOADED = ("von_mises_stress", "temperature")
 _FINAL = ("equivalent_plastic_strain", "von_mises_stress", "stress_xx", "stress_yy", "stress_zz", "stress_xz")
 
 
@@ -86,14 +86,23 @@ def pictures_of(loaded: Snapshot | None, final: Snapshot | None) -> Pictures:
 
 
 def _present(side: Side, names: Sequence[str]) -> list[Quantity]:
-    """The fields of these that are stored and not zero."""
+    """The fields of these that are stored and not zero, or warm."""
     values = {name: QUANTITIES[name].values(side.body) for name in names}
-    return [QUANTITIES[name] for name, value in values.items() if value is not None and bool(np.any(value))]
+    return [
+        QUANTITIES[name]
+        for name, value in values.items()
+        if value is not None and bool(np.any(_over_bulk(QUANTITIES[name], value)))
+    ]
+
+
+def _over_bulk(quantity: Quantity, values: FloatArray) -> FloatArray:
+    """What there is to see of a field: of a temperature its rise above the coldest place."""
+    return values - values.min() if quantity.kind == "temperature" else values
 
 
 def _volume(side: Side, snapshot: Snapshot, quantities: list[Quantity], cells: int) -> _Volume:
     """The part of a body worth seeing, thinned to a number of cells."""
-    fields = [value for one in quantities if (value := one.values(side.body)) is not None]
+    fields = [_over_bulk(one, value) for one in quantities if (value := one.values(side.body)) is not None]
     worth = np.any([np.abs(field) > _WORTH_SEEING * np.abs(field).max() for field in fields], axis=0)
     ranges = [_range(np.any(worth, axis=tuple({0, 1, 2} - {axis}))) for axis in range(3)]
     middles = (0, int(np.argmin(np.abs(side.body.y))), int(np.argmin(np.abs(side.body.x - side.body.contact_x))))
@@ -161,7 +170,8 @@ def _written(volume: _Volume) -> dict[str, Any]:
 
 def _field(quantity: Quantity, values: FloatArray, in_contact: bool) -> dict[str, Any]:
     lowest, highest = float(values.min()), float(values.max())
-    scale = si(max(-lowest, highest), "Pa") if quantity.kind == "stress" else PERCENT
+    scales = {"stress": si(max(-lowest, highest), "Pa"), "strain": PERCENT, "temperature": DEGREES}
+    scale = scales[quantity.kind]
     colour_map, norm = quantity.colours(lowest / scale.size, highest / scale.size)
     return {
         "title": quantity.title_in(in_contact=in_contact).replace("$", ""),
