@@ -4,12 +4,12 @@
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
 over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
-scenario), `slip` (stick and slip in one state), `history`, `energy` and `wear` (one run step by step), `temperature` (step by step, and in one state),
-`animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities),
-`standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all
-figures), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on
-a plane), `overlay` (several results in one figure), `states` (which state and which bodies), `cells` (cell values as
-pictures).
+scenario), `slip` (stick and slip in one state), `history`, `energy` and `wear` (one run step by step), `temperature`
+(step by step, and in one state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums
+of passing asperities), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them:
+`style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name),
+`planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which
+bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
