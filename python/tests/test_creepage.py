@@ -122,8 +122,8 @@ def test_creep_forces(run: Run, run_spun: Run) -> None:
     fig = rolling.creep_forces([run])
     assert fig is not None
     assert [ax.get_ylabel().split("  ")[0] for ax in fig.axes] == [
-        "force along",
-        "force across",
+        "longitudinal force",
+        "lateral force",
         "moment",
         "share that sticks",
     ]
@@ -205,7 +205,7 @@ def test_creep_curve_has_the_forces_of_steady_rolling(runs: list[Run]) -> None:
     forces = [runs[i].passes[-1].F_x / (FRICTION * LOAD) for i in (1, 2, 0)]
     np.testing.assert_allclose(line.get_ydata(), forces, rtol=1e-6)
     assert ax.get_xlabel() == r"longitudinal creepage  $\xi$  [%]"
-    assert ax.get_ylabel() == "force along  $F_x/(fP)$"
+    assert ax.get_ylabel() == "longitudinal force  $F_x/(fP)$"
     assert legend_of(ax) == ["computed", "linear theory (Kalker)", r"friction $\times$ load"]
     assert [line.get_ydata()[0] for line in ax.lines if line.get_linewidth() == 0.8][-1] == 1.0
     texts(ax.figure)

@@ -272,7 +272,7 @@ def test_heat_of_friction_is_that_of_the_cells(run: Run) -> None:
 
 def test_edges_in_the_heat_of_friction_are_named(run: Run, run_across: Run) -> None:
     (legend,) = brinell.plot.contact_heat([run]).legends
-    assert [text.get_text() for text in legend.get_texts()] == ["edge of the contact", "edge of what sticks"]
+    assert [text.get_text() for text in legend.get_texts()] == ["edge of the contact", "edge of the sticking area"]
     assert brinell.plot.contact_heat([run, run_across]) is None
     # By force: its turns are those of the force.
     assert any("step 13,  cycle 1" in text for text in texts(brinell.plot.contact_heat([run_across])))

@@ -256,8 +256,8 @@ def _scale_of(values: Sequence[FloatArray], unit: str) -> Scale:
 
 
 _OF_CREEP = (
-    ("F_x", "force along", "F_x/(fP)"),
-    ("F_y", "force across", "F_y/(fP)"),
+    ("F_x", "longitudinal force", "F_x/(fP)"),
+    ("F_y", "lateral force", "F_y/(fP)"),
     ("M_z", "moment", "M_z/(fPa)$\ncontact area $\\pi a^2"),
     ("stick_share", "share that sticks", ""),
 )

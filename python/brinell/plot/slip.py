@@ -125,7 +125,7 @@ def _sticking(snapshot: Snapshot, bound: FloatArray) -> BoolArray:
 
 
 def _stick_edge(state: _Tangential) -> FloatArray:
-    """A function whose zero line is the edge of what sticks, positive inside [-], array [y][x].
+    """A function whose zero line is the edge of the sticking area, positive inside [-], array [y][x].
 
     Near the edge what is left to the bound grows with the root of the distance, as pressure does near the edge of
     contact: its square is linear there. What slips has nothing of the kind, so the edge is halfway to the next cell.
@@ -395,7 +395,7 @@ def _name_edges(fig: Figure, state: _Tangential) -> None:
     """Below the map: which line is the edge of what."""
     named = [Line2D([], [], color="black", linewidth=1.0, label="edge of the contact")]
     if state.sticking.any() and not state.sticking.all():
-        named.append(Line2D([], [], color=_STICK, linewidth=1.0, label="edge of what sticks"))
+        named.append(Line2D([], [], color=_STICK, linewidth=1.0, label="edge of the sticking area"))
     fig.legend(handles=named, loc="outside lower center", ncols=2 if fig.get_figwidth() > 4.0 else 1)
 
 
