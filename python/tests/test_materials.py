@@ -203,7 +203,7 @@ def test_a_measured_curve_that_scatters(tmp_path: Path) -> None:
         (
             "0, 930\n0.01, many\n",
             {},
-            r'^file = ".*curve\.csv" has in line 2 "0\.01, many", where many is no num',
+            r'^file = ".*curve\.csv" has in line 2 "0\.01, many", where many is not a num',
         ),
         ("0,002,930,5\n", {}, 'has in line 1 "0,002,930,5"'),
         ("0, 930\n", {"unit": "mm"}, '^unit = "mm" is a unit of length; allowed: a unit of stress, such as "MPa"'),

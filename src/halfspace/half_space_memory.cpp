@@ -4,6 +4,7 @@
 #include "foundation/fft.hpp"
 #include "foundation/lanes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <omp.h>
 
@@ -32,7 +33,7 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
 
   // The memory of ImageCorrection is almost independent of the grid.
   constexpr double images = 2.5e6;
-  const double strained_blocks = blocks_at_a_time(static_cast<int>(blocks), omp_get_max_threads());
+  const double strained_blocks = std::max(2, blocks_at_a_time(static_cast<int>(blocks), omp_get_max_threads()));
   const double strain_and_stress = deviators * (blocks + strained_blocks) * pitch;
   const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
   return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images,

@@ -19,7 +19,7 @@ struct MemoryOfHalfSpace
 /// block, and one block is transformed while others still work on the block before.
 [[nodiscard]] int blocks_at_a_time(int blocks, int threads);
 
-/// For as many threads as OpenMP may use.
+/// For as many threads as OpenMP may use, and at least two, so that a prediction does not differ between one and two threads.
 /// @param shears  number of components of the shear on the surface, 0 to 2
 [[nodiscard]] MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears);
 
