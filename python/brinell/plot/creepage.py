@@ -237,7 +237,7 @@ def creep_curve(runs: Sequence[Run]) -> Figure | None:
             references[r"friction $\times$ load"] = _LIMIT
         ax.set_xlabel(scale.label(*_SYMBOLS[over]))
         ax.xaxis.set_major_locator(MaxNLocator(nbins=6))
-        ax.set_ylabel(f"force {('along', 'across')[which]}  $F_{'xy'[which]}/(fP)$")
+        ax.set_ylabel(f"{('longitudinal', 'lateral')[which]} force  $F_{'xy'[which]}/(fP)$")
         if len(panels) > 1:
             ax.set_title(f"({letter})  {('along', 'across')[which]} the motion")
     shown = list(curves.values())
