@@ -153,6 +153,12 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
   refused({lower, upper, friction, speed, "lower.material.softening={law=\"linear\",melting_temperature=60}",
            "lower.material.thermal.temperature=80"},
           "lower.material.thermal.temperature = 80 degC, but by its softening law the body melts at 60 degC");
+  const std::string rigid = "upper.material={rigid=true}";
+  refused({lower, rigid, friction, speed, "thermal.partition=0.5"},
+          "thermal.partition = 0.5, but the upper body has no thermal constants");
+  refused({lower, rigid, friction, speed, "thermal.conductance=1e4"},
+          "thermal.conductance = 10000, but the upper body has no thermal constants");
+  refused({lower, upper, friction, speed, "thermal.at_melting=\"wait\""}, "thermal.at_melting");
   refused({lower, upper, friction, speed, "interface.heat_fraction=-1"},
           "interface.heat_fraction = -1 is out of range");
 }

@@ -194,6 +194,47 @@ TEST(Quality, SurfacesSoHotThatConstantsAreOthers)
   EXPECT_EQ(after(c, t), (Keys{"hot_surface", "melting"})) << "conductivity and modulus do not soften";
 }
 
+TEST(Quality, HotSkinsThinnerThanTheLayers)
+{
+  RollingCase c = ball_on_flat();
+  c.lower.material.thermal = c.upper.material.thermal = Thermal{50.0, 7850.0, 460.0, 12e-6};
+  c.lower.material.hardening = constitutive::LinearHardening{1e9, 20e9};
+  RunTotals t = good_totals(c);
+  t.max_temperature = {c.lower.material.temperature + 300.0, c.upper.material.temperature};
+  // While the contact passes a point, heat goes sqrt(4 kappa t) deep.
+  const RollingPlan p = plan(c);
+  const double kappa = c.lower.material.thermal->diffusivity();
+  const auto speed_for = [&](double layers)
+  { return 2.0 * p.half_width_x * 4.0 * kappa / std::pow(layers * p.lower.dz, 2); };
+  EXPECT_EQ(after(c, t), Keys{}) << "no speed, no heat";
+  c.speed = speed_for(3.1);
+  EXPECT_EQ(after(c, t), Keys{});
+  c.speed = speed_for(2.9);
+  EXPECT_EQ(after(c, t), Keys{"thin_hot_skin"});
+  t.max_temperature[0] = c.lower.material.temperature + 1.0;
+  EXPECT_EQ(after(c, t), Keys{}) << "a stress of 3.6 MPa decides of no yield";
+  t.max_temperature[0] = c.lower.material.temperature + 300.0;
+  c.heat.stress = false;
+  EXPECT_EQ(after(c, t), Keys{}) << "thermal stress is switched off";
+}
+
+TEST(Quality, SurfacesAtTheirShearStrength)
+{
+  RollingCase c = ball_on_flat();
+  c.lower.material.hardening = constitutive::LinearHardening{1e9, 20e9};
+  c.friction.coefficient = 0.4;
+  c.slide_to_roll = 1.0;
+  RunTotals t = good_totals(c);
+  t.max_share_at_shear_limit = 0.04;
+  EXPECT_EQ(after(c, t), Keys{});
+  EXPECT_FALSE(quality(c, plan(c), t).resolution.expected_errors.empty());
+  t.max_share_at_shear_limit = 0.3;
+  EXPECT_EQ(after(c, t), Keys{"surface_flow"});
+  EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty()) << "the tables are for less shear";
+  c.friction.shear_limit = 1e8;
+  EXPECT_EQ(after(c, t), Keys{}) << "a film below the strength of the surface";
+}
+
 TEST(Quality, StepsAndTolerancesAndSizes)
 {
   RollingCase c = ball_on_flat();
