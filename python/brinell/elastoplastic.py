@@ -25,7 +25,7 @@ from brinell import _core
 from brinell._arrays import Array, contiguous, require_positive
 from brinell._reprs import cells
 from brinell.constitutive import Integration
-from brinell.contact import drive_of
+from brinell.contact.normal import drive_of
 from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceGrid, VolumeGrid, require_memory
 from brinell.materials import Material

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contact area and contact patches of a solved contact: part of `brinell.contact`."""
+"""Contact area and contact patches of a solved contact."""
 
 from __future__ import annotations
 

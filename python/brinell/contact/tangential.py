@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stick and slip under a given bound of the shear traction: part of `brinell.contact`."""
+"""Stick and slip of two elastic bodies under a given bound of the shear traction."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +12,7 @@ from brinell import _core
 from brinell._arrays import Array, contiguous, number
 from brinell._names import renamed
 from brinell._reprs import cells
+from brinell.contact.normal import load_tolerance
 from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceCompliance, SurfaceGrid
 from brinell.materials import RIGID, Material
@@ -154,12 +154,6 @@ class TangentialContact:
         if not report.converged:
             raise ConvergenceError(no_convergence(report))
         return tangential_result(self.grid, limit, fields, report)
-
-
-def load_tolerance(compliance: SurfaceCompliance, load: float) -> float:
-    """Default tolerance [m]: 1e-7 of the displacement scale load/(E' sqrt(area of the grid)), with the load in N."""
-    length = math.sqrt(math.prod(compliance.grid.shape) * compliance.grid.cell_area)
-    return 1e-7 * load / (compliance.contact_modulus * length)
 
 
 def tangential_result(
