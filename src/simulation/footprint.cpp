@@ -100,6 +100,7 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
   f.half_y = e.semi_axis_y * growth;
   f.approach = e.approach;
   f.elastic_load = e.load;
+  f.peak_pressure = e.peak_pressure;
   f.peak_ratio = e.peak_pressure / pair.yield_pressure;
   const double over_yield = std::max(1.0, f.peak_ratio);
   f.first_yield_approach =
@@ -147,6 +148,7 @@ Footprint of_line(const Pair& pair, const Line& line, const Drive& drive, const 
     f.half_x = std::min(f.half_x, 1.2 * std::sqrt(2.0 * R * drive.value)); // geometry, with some pile-up
   f.elastic_y = f.half_y = 0.5 * line.length;
   f.approach = approach(std::min(elastic, line.widest));
+  f.peak_pressure = peak;
   f.peak_ratio = peak / line.yield_pressure;
   f.first_yield_approach = approach(std::min(elastic, line.widest) / std::max(1.0, f.peak_ratio));
   f.plastic_reach = plastic_reach(pair, f.half_x, f.half_x / R);
@@ -203,7 +205,7 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
   Footprint f;
   f.approach = drive.kind == Drive::Kind::load ? 0.5 * pi * a * slope : drive.value;
   f.first_yield_approach = 0.0;
-  f.peak_ratio = std::numeric_limits<double>::infinity();
+  f.peak_pressure = f.peak_ratio = std::numeric_limits<double>::infinity();
   if (tip_radius > 0.0)
   {
     const Footprint ball = of_paraboloids(pair, tip_radius, tip_radius, drive);
@@ -366,6 +368,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   const auto resolved = [&](double approach) { return std::clamp(approach, 1e-2 * f.approach, f.approach); };
   plan.scales = {resolved(f.frictionless_yield_approach), f.approach};
   plan.first_yield = resolved(f.first_yield_approach);
+  plan.peak_pressure = f.peak_pressure;
 }
 
 } // namespace brinell::simulation

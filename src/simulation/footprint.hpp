@@ -22,7 +22,9 @@ struct Footprint
   double plastic_reach = 0.0; ///< radius of the plastic zone [m]
   double depth = 0.0;         ///< expected depth of the plastic zone [m]
   double approach = 0.0;      ///< [m]
-  double peak_ratio = 0.0;    ///< peak pressure of the smooth, elastic contact over that of first yield
+  double peak_pressure =
+      0.0;                 ///< of the smooth, elastic contact [Pa]; infinite at a tip; 0 for contacts of many patches
+  double peak_ratio = 0.0; ///< peak pressure of the smooth, elastic contact over that of first yield
   double first_yield_approach = 0.0;        ///< [m]; the full approach if nothing yields before
   double frictionless_yield_approach = 0.0; ///< the same without friction [m]: a scale of the normal contact alone
   double contact_share = 1.0;               ///< share of the period in contact; 1 without an estimate

@@ -22,6 +22,8 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
   f.documented = documented;
+  f.slides =
+      c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
   return f;
 }
 

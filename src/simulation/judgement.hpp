@@ -50,6 +50,10 @@ struct Facts
   bool limited_by_strength = false;
   bool flows_freely =
       false; ///< and that surface does not harden: its strain grows without bound as the layers get thinner
+  /// The surfaces slide everywhere in the contact, and do not stick anywhere.
+  bool slides = false;
+  double friction = 0.0;      ///< coefficient
+  double peak_pressure = 0.0; ///< see Plan
   elastoplastic::Settings solver;
 };
 

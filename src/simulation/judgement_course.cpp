@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judgement_parts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 /// Warnings about the course of a run.
@@ -30,6 +32,36 @@ constexpr double largest_limited_share = 0.05; ///< of the contact at its shear 
 bool flows_at_surface(const Facts& facts, const RunTotals& totals)
 {
   return facts.limited_by_strength && totals.max_share_at_shear_limit > largest_limited_share;
+}
+
+double estimated_share_at_limit(const Facts& facts)
+{
+  // Mean pressure over yield stress of a fully plastic contact (Tabor 1951); friction and sliding make it less.
+  constexpr double hardness = 2.8;
+  if (!facts.limited_by_strength || !facts.slides)
+    return 0.0;
+  double yield = std::numeric_limits<double>::infinity();
+  for (const constitutive::Material* material : facts.materials)
+    if (material->is_plastic())
+      yield = std::min(yield, constitutive::initial_yield_stress(*material->hardening));
+  const double most = facts.friction * std::min(facts.peak_pressure, hardness * yield);
+  const double limit = yield / std::sqrt(3.0);
+  // A pressure p0 sqrt(1 - r^2/a^2) exceeds p within the radius sqrt(1 - p^2/p0^2) a.
+  return most > limit ? 1.0 - std::pow(limit / most, 2) : 0.0;
+}
+
+bool warn_of_expected_flow(const Facts& facts, std::vector<Warning>& warnings)
+{
+  const double share = estimated_share_at_limit(facts);
+  if (!(share > largest_limited_share))
+    return false;
+  warnings.push_back(
+      {"surface_flow",
+       fmt::format("by estimate, the shear will be at the limit of a surface in up to {} of the contact, where plastic "
+                   "strain concentrates in the uppermost layers of cells. The convergence tables then do not apply, "
+                   "and no errors are expected before the run, which will report the share that it finds",
+                   percent_text(share))});
+  return true;
 }
 
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)

@@ -16,6 +16,14 @@ namespace brinell::simulation
 /// Warns of textures that the cells do not resolve.
 void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 
+/// Estimate before a run of the share of the contact that is at the shear limit of a surface: of a pressure that is that of Hertz up
+/// to the hardness. 0 where the shear has no such limit, where surfaces may stick, and without an estimate of the pressure.
+[[nodiscard]] double estimated_share_at_limit(const Facts& facts);
+
+/// Warns, before a run, of surfaces that will flow under the shear by this estimate.
+/// @return whether it warns
+bool warn_of_expected_flow(const Facts& facts, std::vector<Warning>& warnings);
+
 /// Whether so much of the contact was at the shear limit of a surface that the flow of that surface decides about the results.
 [[nodiscard]] bool flows_at_surface(const Facts& facts, const RunTotals& totals);
 

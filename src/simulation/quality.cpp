@@ -255,15 +255,23 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.materials = {&lower.material, &upper.material};
   f.is_heated = is_heated(numerics, lower, upper);
   f.has_thermal_stress = numerics.heat.stress;
-  f.limited_by_strength = f.can_yield && !numerics.friction.shear_limit;
+  f.friction = numerics.friction.coefficient;
+  f.limited_by_strength = f.can_yield && f.friction > 0.0 && !numerics.friction.shear_limit;
+  f.peak_pressure = plan.peak_pressure;
   f.flows_freely = f.limited_by_strength && (never_hardens(lower.material) || never_hardens(upper.material));
   return f;
 }
 
 Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
 {
-  Judge judge(f, resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt));
+  std::vector<Warning> of_flow;
+  Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt);
+  if (warn_of_expected_flow(f, of_flow))
+    resolution.expected_errors.clear();
+  Judge judge(f, std::move(resolution));
   judge.of_cells();
+  for (Warning& warning : of_flow)
+    judge.add(std::move(warning));
   warn_of_textures(f, judge.warnings());
   judge.of_profiles();
   judge.of_step();

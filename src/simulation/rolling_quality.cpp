@@ -31,6 +31,7 @@ Facts facts(const RollingCase& c, const RollingPlan& plan)
     f.documented =
         c.creepage->spin == 0.0 ? std::span<const Documented>(documented_with_creepage) : documented_with_spin;
   f.moves = true;
+  f.slides = !c.creepage && c.slide_to_roll != 0.0;
   // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
     f.shift = faster;

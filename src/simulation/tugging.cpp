@@ -255,7 +255,7 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
   f.documented = documented;
-  f.moves = true;
+  f.moves = f.slides = true;
   if (c.shift)
     f.shift = plan.shift;
   if (c.speed)

@@ -46,6 +46,7 @@ struct Pair
 {
   ClosestApproach closest;
   ContactSize contact;               ///< elastic, of the smooth bodies at alignment
+  double peak_pressure = 0.0;        ///< of that contact [Pa]
   double first_yield = 0.0;          ///< interference at first yield, at most the full interference [m]
   double frictionless_yield = 0.0;   ///< the same without friction [m]
   std::array<double, 2> curvature{}; ///< relative [1/m]
@@ -87,6 +88,8 @@ Pair pair_of(const TuggingCase& tugging)
   {
     const double a = std::sqrt(*radius * interference);
     pair.contact = {a, a};
+    const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+    pair.peak_pressure = reference::point_contact_at_approach(*radius, modulus, interference).peak_pressure;
     require_within_reference(a, a, lower, upper, tugging.domain);
     const auto first_yield = [&](double coefficient)
     {
@@ -100,6 +103,7 @@ Pair pair_of(const TuggingCase& tugging)
   const Footprint f =
       smooth_footprint(lower, upper, {contact::Drive::Kind::approach, interference}, tugging.domain, friction);
   pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
+  pair.peak_pressure = f.peak_pressure;
   pair.first_yield = std::min(interference, f.first_yield_approach);
   pair.frictionless_yield = std::min(interference, f.frictionless_yield_approach);
   return pair;
@@ -274,6 +278,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   const double smallest = 1e-2 * pair.closest.interference;
   plan.scales = {std::max(pair.frictionless_yield, smallest), pair.closest.interference};
   plan.first_yield = std::max(pair.first_yield, smallest);
+  plan.peak_pressure = pair.peak_pressure;
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);

@@ -110,6 +110,7 @@ struct Plan
   double memory_bytes = 0.0;
   elastoplastic::Scales scales; ///< of the tolerances
   double first_yield = 0.0;     ///< approach at which a body yields, with friction, not below 1 % of the largest [m]
+  double peak_pressure = 0.0;   ///< of the smooth bodies if they stayed elastic, estimate [Pa]; 0 without an estimate
   double reference = 0.0;       ///< reference distance of the displacement with one periodic axis [m]
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/estimates.hpp"
 #include "brinell/simulation/scenarios.hpp"
 
 #include <gtest/gtest.h>
@@ -233,6 +234,41 @@ TEST(Quality, SurfacesAtTheirShearStrength)
   EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty()) << "the tables are for less shear";
   c.friction.shear_limit = 1e8;
   EXPECT_EQ(after(c, t), Keys{}) << "a film below the strength of the surface";
+}
+
+TEST(Quality, SurfacesExpectedAtTheirShearStrength)
+{
+  RollingCase c = ball_on_flat();
+  c.lower.material.hardening = constitutive::LinearHardening{1e9, 20e9};
+  c.slide_to_roll = 1.0;
+  const double limit = 1e9 / std::sqrt(3.0);
+  const auto load_of = [&](double peak_pressure)
+  { return load_of_peak_pressure(c.lower.shape, c.upper.shape, c.domain, 0.5 * 210e9 / 0.91, peak_pressure).value(); };
+  const auto expects_errors = [&] { return !expected_quality(c, plan(c)).resolution.expected_errors.empty(); };
+  // An ellipsoid as well as a ball: friction times the pressure of Hertz exceeds the limit in 4 and in 6 % of the contact.
+  for (const double radius_y : {5e-3, 20e-3})
+  {
+    c.upper.shape = Paraboloid{5e-3, radius_y};
+    c.friction.coefficient = 0.25;
+    c.drive.value = load_of(limit / 0.25 / std::sqrt(0.96));
+    EXPECT_EQ(before(c), Keys{}) << radius_y;
+    EXPECT_TRUE(expects_errors()) << radius_y;
+    c.drive.value = load_of(limit / 0.25 / std::sqrt(0.94));
+    EXPECT_EQ(before(c), Keys{"surface_flow"}) << radius_y;
+    EXPECT_FALSE(expects_errors()) << radius_y;
+  }
+  // No pressure is far above the hardness of the material.
+  c.drive.value = load_of(20e9);
+  c.friction.coefficient = 0.2;
+  EXPECT_EQ(before(c), Keys{});
+  c.friction.coefficient = 0.3;
+  EXPECT_EQ(before(c), Keys{"surface_flow"});
+  c.friction.shear_limit = 1e8;
+  EXPECT_EQ(before(c), Keys{}) << "a film below the strength of the surface";
+  c.friction.shear_limit.reset();
+  c.slide_to_roll = 0.0;
+  c.creepage = Creepage{1e-4, 0.0, 0.0};
+  EXPECT_EQ(before(c), Keys{}) << "most of the contact sticks";
 }
 
 TEST(Quality, StepsAndTolerancesAndSizes)
