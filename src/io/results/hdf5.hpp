@@ -126,7 +126,6 @@ void write_numbers(const Handle& group, const std::string& name, std::span<const
 /// Names of the objects in a group.
 [[nodiscard]] std::vector<std::string> names(const Handle& group);
 [[nodiscard]] std::string read_text_attribute(const Handle& object, const char* name);
-[[nodiscard]] int read_int_attribute(const Handle& object, const char* name);
 
 /// A link `name` in `group` to an object of the same file.
 void link_soft(const Handle& group, const std::string& name, const std::string& object);
