@@ -52,8 +52,8 @@ struct Prefix
 };
 
 constexpr std::array prefixes{
-    Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"\u00b5", -6}, Prefix{"\u03bc", -6}, Prefix{"m", -3},
-    Prefix{"c", -2},  Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9},       Prefix{"T", 12},
+    Prefix{"k", 3},  Prefix{"M", 6},       Prefix{"G", 9},       Prefix{"T", 12}, Prefix{"c", -2},  Prefix{"m", -3},
+    Prefix{"u", -6}, Prefix{"\u00b5", -6}, Prefix{"\u03bc", -6}, Prefix{"n", -9}, Prefix{"p", -12},
 };
 
 struct NamedDimension
@@ -126,12 +126,18 @@ std::string units_like(std::string_view symbol)
   const auto is_same = [](char a, char b)
   { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
   std::string found;
+  const auto add_if_same = [&](const std::string& known)
+  {
+    if (std::equal(known.begin(), known.end(), symbol.begin(), symbol.end(), is_same))
+      found += (found.empty() ? "" : " or ") + known;
+  };
   for (const Unit& unit : units)
-    for (const std::string_view prefix : {"", "k", "M", "G", "T", "c", "m", "u", "n", "p"})
-      if (const std::string known = std::string(prefix) + std::string(unit.symbol);
-          (prefix.empty() || unit.prefixed) &&
-          std::equal(known.begin(), known.end(), symbol.begin(), symbol.end(), is_same))
-        found += (found.empty() ? "" : " or ") + known;
+  {
+    add_if_same(std::string(unit.symbol));
+    for (const Prefix& prefix : prefixes)
+      if (unit.prefixed)
+        add_if_same(fmt::format("{}{}", prefix.symbol, unit.symbol));
+  }
   return found.empty() ? "" : fmt::format(" (did you mean {}?)", found);
 }
 
