@@ -204,6 +204,11 @@ void link_external(const Handle& group, const std::string& name, const std::stri
         fmt::format("link {}", file));
 }
 
+bool has_member(const Handle& group, const char* name)
+{
+  return H5Lexists(group.id(), name, H5P_DEFAULT) > 0;
+}
+
 void copy_object(const Handle& from, const std::string& object, const Handle& to, const std::string& name)
 {
   check(H5Ocopy(from.id(), object.c_str(), to.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),

@@ -42,18 +42,10 @@ void write_tensor(const h5::Handle& parent, const char* name, const TensorField&
                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                   h5::Storage storage)
 {
-  const h5::Handle group = h5::create_group(parent, name);
-  if (storage == h5::Storage::deflated)
-  {
-    std::vector<h5::Field> fields;
-    for (std::size_t c = 0; c < components.size(); ++c)
-      fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
-    h5::write_deflated(group, fields, shape, units);
-    return;
-  }
+  std::vector<h5::Field> fields;
   for (std::size_t c = 0; c < components.size(); ++c)
-    h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]),
-                      storage);
+    fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
+  h5::write_fields(h5::create_group(parent, name), fields, shape, units, storage);
 }
 
 std::vector<double> von_mises_field(const TensorField& stress)
@@ -121,18 +113,11 @@ void write_within(const h5::Handle& group, const StepFields::Within& within, std
 
 /// Copies the fields within a body from the group of a body with the same fields, so that they are neither computed nor
 /// compressed again.
-void copy_within(const h5::Handle& alike, const h5::Handle& group, const StepFields::Within& within)
+void copy_within(const h5::Handle& alike, const h5::Handle& group)
 {
-  const auto copy = [&](bool is_there, const char* name)
-  {
-    if (is_there)
+  for (const char* name : {"equivalent_plastic_strain", "temperature", "plastic_strain", "stress", "von_mises_stress"})
+    if (h5::has_member(alike, name))
       h5::copy_object(alike, name, group, name);
-  };
-  copy(static_cast<bool>(within.equivalent_plastic_strain), "equivalent_plastic_strain");
-  copy(static_cast<bool>(within.temperature), "temperature");
-  copy(static_cast<bool>(within.plastic_strain), "plastic_strain");
-  copy(static_cast<bool>(within.stress), "stress");
-  copy(static_cast<bool>(within.stress), "von_mises_stress");
 }
 
 /// @param alike  group of a body with the same fields within; nullptr: there is none
@@ -150,7 +135,7 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
                           static_cast<std::size_t>(grid.surface.nx)};
   write_fields(group, surface_fields(body), std::span(volume).subspan(1), place);
   if (alike != nullptr)
-    copy_within(*alike, group, within);
+    copy_within(*alike, group);
   else
     write_within(group, within, volume, place);
   return group;
