@@ -208,9 +208,10 @@ def _show(
     level: bool,
     figure: Path | None,
 ) -> None:
-    """Print the roughness of the surface in FILE, and draw the surface.
+    """Print the roughness of the surface in FILE.
 
-    The figure shows the map, the power spectral density, the distribution of the heights and the bearing-area curve.
+    The figure of --figure shows the map, the power spectral density, the distribution of the heights and the
+    bearing-area curve.
     """
     ending = figure.suffix.lstrip(".").lower() if figure else None
     if figure and ending not in ("png", "pdf", "svg"):
