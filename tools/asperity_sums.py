@@ -34,14 +34,14 @@ COUNT, DENSITY, SEPARATION = 200, 3e10, 0.0
 
 
 def asperities_of(seed: int) -> Population:
-    """As they are, no sample of others: radii from 7 to 15 um."""
+    """A set of asperities that is not a sample of others: radii from 7 to 15 um."""
     random = np.random.default_rng(seed)
     found = Population.of(random.normal(0.0, 4e-9, COUNT), 1e-5 * random.uniform(0.7, 1.5, COUNT), DENSITY)
     return replace(found, is_sample=False)
 
 
 def direct(output: Path) -> None:
-    """Prints a table."""
+    """Prints the table of the direct sums."""
     passes = asperities.AsperityMap.compute(
         STEEL,
         interferences=(0.5, 1.0, 1.5, 2.2, 3.2, 4.5, 6.3, 9.0),
@@ -86,7 +86,7 @@ def direct(output: Path) -> None:
 
 
 def rough(output: Path) -> None:
-    """Prints a table and draws the figure."""
+    """Prints the table of rough surfaces and draws the figure."""
     size, cells = 1e-4, 384
     surface = brinell.RandomSurface(rms_slope=0.05, hurst=0.8, rolloff=size / 6, cutoff=size / 24, size=(size, size))
     material = brinell.Material("210 GPa", 0.3)
@@ -131,7 +131,7 @@ SLIDING_FINER = (3.0, 2.5)
 
 @dataclass
 class Slid:
-    """What one way round the period comes to; pressure and plastic work per area and way in Pa."""
+    """Result of sliding once round the period; pressure and plastic work per area and distance in Pa."""
 
     gap: float
     pressure: float
@@ -147,7 +147,7 @@ class Slid:
 
 
 def sliding(output: Path) -> None:
-    """Prints a table and draws a figure."""
+    """Prints the table of sliding and draws a figure."""
     passes = sliding_map(output)
     heights = [
         brinell.surfaces.random(SLIDING_SIZE, 4 * SLIDING_CELLS, seed=seed, **SLIDING_WAVES).heights for seed in (1, 2)
@@ -169,7 +169,7 @@ def sliding(output: Path) -> None:
 
 
 def sliding_map(output: Path) -> asperities.AsperityMap:
-    """Of the passes; computed once."""
+    """Map of the passes, computed once."""
     file = output / "sliding-map.h5"
     if not file.exists():
         found = asperities.AsperityMap.compute(
@@ -184,7 +184,7 @@ def sliding_map(output: Path) -> asperities.AsperityMap:
 
 @style.figure
 def sliding_figure(found: list[tuple[float, Slid, Slid]]) -> Figure:
-    """Pressure over the gap, ploughing over the contact."""
+    """Draws pressure over the gap, and ploughing over the contact."""
     fig = style.new_figure(8.6, 3.4)
     over_gap, over_contact = fig.subplots(1, 2)
     gaps = [ratio for ratio, _, _ in found]
@@ -212,7 +212,7 @@ def sliding_figure(found: list[tuple[float, Slid, Slid]]) -> Figure:
 
 
 def summits_of(heights: FloatArray) -> FloatArray:
-    """Row by row: place across the motion, height and radius of what `Population.from_surface` finds."""
+    """Place across the motion, height and radius of each summit that `Population.from_surface` finds, row by row."""
     spacing = SLIDING_SIZE / heights.shape[0]
     h = heights - heights.mean()
     top, drops, squares = np.ones(h.shape, dtype=bool), np.zeros(h.shape), 0.0
@@ -225,7 +225,10 @@ def summits_of(heights: FloatArray) -> FloatArray:
 
 
 def summed(passes: asperities.AsperityMap, lower: FloatArray, upper: FloatArray, gap: float) -> tuple[Slid, float]:
-    """Each upper summit passes each lower one as they lie, as if for the first time; and the deepest."""
+    """Sum in which each upper summit passes each lower one as if for the first time.
+
+    Returns it with the largest interference, in units of its value at first yield.
+    """
     y1, z1, r1 = (column[:, None] for column in lower.T)
     y2, z2, r2 = (column[None, :] for column in upper.T)
     offset = np.abs((y2 - y1 + 0.5 * SLIDING_SIZE) % SLIDING_SIZE - 0.5 * SLIDING_SIZE)
@@ -245,7 +248,9 @@ def summed(passes: asperities.AsperityMap, lower: FloatArray, upper: FloatArray,
 
 
 def slid(gap: float, count: int, output: Path) -> tuple[Slid, list[float]]:
-    """Once round the period, so that each summit passes all others; and how the plastic work is shared by thirds."""
+    """A run once round the period, in which each summit passes all others, and the shares of its plastic work by
+    thirds.
+    """
     lower, upper = (
         brinell.Body(
             brinell.Flat(),
@@ -279,7 +284,7 @@ def slid(gap: float, count: int, output: Path) -> tuple[Slid, list[float]]:
 
 @style.figure
 def figure(run: brinell.Run, modulus: float, rms: float, sums: list[list[asperities.RestingSum]]) -> Figure:
-    """Pressure over the gap, contact over the pressure."""
+    """Draws pressure over the gap, and contact over the pressure."""
     fig = style.new_figure(8.6, 3.4)
     over_gap, over_pressure = fig.subplots(1, 2)
     gap, pressure = run.history["mean_gap"] / rms, run.history["nominal_pressure"] / modulus
@@ -310,7 +315,7 @@ def figure(run: brinell.Run, modulus: float, rms: float, sums: list[list[asperit
 
 
 def main() -> None:
-    """The command."""
+    """Runs the parts that the command line names."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", default=["direct", "rough", "sliding"], metavar="PART")
     parser.add_argument("--output", type=Path, default=ROOT / "results" / "asperities")

@@ -36,7 +36,7 @@ SOURCES = {".hpp", ".h", ".cpp"}
 
 
 def reason(floor: str, target: str) -> str | None:
-    """Why `floor` may not include `target`, or None if it may."""
+    """Reason why `floor` may not include `target`; None if it may."""
     parts = Path(target).parts
     if parts[0] == "brinell":
         if parts[1:] == ("version.hpp",):

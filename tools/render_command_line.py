@@ -18,12 +18,12 @@ from pathlib import Path
 HEAD = """<!-- Written by tools/render_command_line.py; do not edit. -->
 # Command line
 
-What `brinell --help` says, and each command with `--help`. What the keys of a case mean: [the case file](case-file.md).
+Output of `brinell --help` and of each command with `--help`. The keys of a case are described in [the case file](case-file.md).
 """
 
 
 def help_text(program: str, commands: tuple[str, ...]) -> str:
-    """What a command says to --help, 100 columns wide and without colour."""
+    """Output of a command with --help, 100 columns wide and without colour."""
     environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1"}
     done = subprocess.run(
         [program, *commands, "--help"], check=True, capture_output=True, text=True, timeout=60, env=environment
@@ -53,12 +53,12 @@ def sections(program: str, commands: tuple[str, ...] = (), said: frozenset[str] 
 
 
 def rendered(program: str) -> str:
-    """The page."""
+    """The content of the page."""
     return "\n".join([HEAD, *sections(program)])
 
 
 def main() -> int:
-    """Command line."""
+    """Writes the page to a file or to standard output."""
     if len(sys.argv) not in (2, 3):
         print(__doc__, file=sys.stderr)
         return 2

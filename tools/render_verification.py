@@ -31,7 +31,7 @@ PEOPLE = {"Blok", "Carter", "Cattaneo", "Coulomb", "Greenwood", "Hamilton", "Her
 
 
 def words(name: str) -> str:
-    """'PaperTugging' -> 'Paper tugging'."""
+    """A name as words: 'PaperTugging' -> 'Paper tugging'."""
     text = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", name)
     return text[:1] + re.sub(r"\b[A-Z][a-z]*", lambda m: m[0] if m[0] in PEOPLE else m[0].lower(), text[1:])
 
@@ -47,7 +47,7 @@ def tests_of(folder: Path) -> dict[tuple[str, str], bool]:
 
 
 def differences(record: dict, tests: dict[tuple[str, str], bool]) -> list[str]:
-    """What the record has not of the tests, or has of others."""
+    """Tests that the record lacks, and recorded tests that do not exist."""
     recorded = {in_source(suite, test) for suite, of_suite in record.items() for test in of_suite}
     missing = [f"{s}.{t} has left no number: run it" for (s, t), records in tests.items()
                if records and (s, t) not in recorded]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether an installed package works; run by tools/package.sh with each Python, in a folder away from the sources.
+"""Checks that an installed package works; tools/package.sh runs it with each Python, away from the sources.
 
 Usage: try_package.py FOLDER WHEEL, the folder with the results of a tugging at resolution 4
 """
@@ -13,7 +13,7 @@ import brinell
 
 
 def main(folder: str, wheel: str) -> None:
-    """Computes a small case and reads it, and the one of the command line; prints one line."""
+    """Computes a small case and reads its results and those of the command line; prints one line."""
     steel = brinell.Material("210 GPa", 0.3, brinell.Perfect("600 MPa"))
     ball = brinell.Body(brinell.Sphere("10 um"), steel)
     run = brinell.Tugging(lower=ball, upper=ball, interference=4, grid=brinell.Grid(resolution=4)).run()

@@ -21,11 +21,11 @@ struct PythonCommand
 
 constexpr PythonCommand python_commands[] = {
     {"plot", "Draw figures of results"},
-    {"report", "Write a page on results that a browser shows, with figures to turn and zoom"},
+    {"report", "Write an HTML page on a run, with figures to turn and zoom"},
     {"sweep", "Run a case for many values of its keys"},
     {"surface", "Make, read, inspect and write surfaces"},
     {"export", "Convert stored fields for other programs"},
-    {"completion", "Print what makes bash, zsh or fish complete commands, options and keys"},
+    {"completion", "Print the script with which bash, zsh or fish completes commands, options and keys"},
 };
 
 void add_case_arguments(CLI::App& command, CaseArguments& arguments)

@@ -101,14 +101,14 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   {
     return stop.after_step() || (Results::keeps_checkpoints && seconds_since(checkpoint_time) >= c.checkpoint_interval);
   };
-  observer.on_checkpoint = [&](const Record& record, const std::function<void(Archive&)>& state)
+  observer.on_checkpoint = [&](const Record&, const std::function<void(Archive&)>& state)
   {
     const auto with_choice = [&](Archive& archive)
     {
       state(archive);
       archive("snapshot_choice", choice);
     };
-    results.add_checkpoint(record.step, with_choice);
+    results.add_checkpoint(with_choice);
     checkpoint_time = Clock::now();
     if (stop.after_step())
       throw Interrupted();

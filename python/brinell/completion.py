@@ -115,7 +115,7 @@ def engine_command(info: _core.CommandInfo) -> click.Command:
 @click.command()
 @click.argument("shell", type=click.Choice(list(PLACES)))
 def command(shell: str) -> None:
-    """Print what makes SHELL complete commands, options and keys.
+    """Print the script with which SHELL completes commands, options and keys.
 
     The script says at its end where to put it.
     """

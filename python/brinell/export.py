@@ -145,7 +145,11 @@ def _write_vti(
 @click.command(name="export")
 @click.argument("run", type=click.Path(path_type=Path))
 @click.option(
-    "-o", "--output", type=click.Path(path_type=Path), default=Path("export"), help="Folder; default: export."
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    default=Path("export"),
+    help="Folder of the files; default: export.",
 )
 @click.option(
     "--field", "fields", multiple=True, help="Only this field, as stress or stress_xx; may be given several times."

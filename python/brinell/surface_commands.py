@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of the surfaces: ``brinell surface``.
 
-Exit code 0: done; 2: something about the request or a file is wrong, with one line on the standard error stream that
-says what.
+Exit code 0: done; 2: the request or a file is wrong, and one line on the standard error stream describes the error.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ class _Length(_Type):
     name = "length"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """In m."""
+        """The length in m."""
         try:
             return value if isinstance(value, float) else _core.length(value)
         except InputError as error:
@@ -43,14 +42,14 @@ class _Length(_Type):
 
 
 class _Pair(_Type):
-    """One value for both axes, or two between which a comma stands."""
+    """One value for both axes, or two values separated by a comma."""
 
     def __init__(self, part: _Type):
         self._part = part
         self.name = part.name
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[Any, Any]:
-        """Along x and along y."""
+        """The values along x and along y."""
         if isinstance(value, tuple):
             return value
         words = value.split(",")
@@ -72,11 +71,11 @@ _IN_OPTIONS = (
         "as --fill does by a smooth surface",
     ),
 )
-"""What the arguments of Python are called here."""
+"""Phrases about arguments of Python, and the phrases about options that replace them."""
 
 
 def _in_options(text: str) -> str:
-    """What `brinell.surfaces` says, in the words of the command line."""
+    """A message of `brinell.surfaces` with the names of options in place of those of arguments."""
     for arguments, options in _IN_OPTIONS:
         text = re.sub(arguments if "\\" in arguments else re.escape(arguments), options, text)
     return text
@@ -87,16 +86,18 @@ _file = click.argument("file", type=click.Path(path_type=Path), metavar="FILE")
 
 
 def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Options of what a file may not tell."""
+    """Adds the options for properties that a file may not contain."""
     for option in (
-        click.option("--level", is_flag=True, help="Take away the plane that fits best."),
-        click.option("--fill", is_flag=True, help="Put a smooth surface where nothing was measured (NaN in the file)."),
-        click.option("--unit", metavar="UNIT", help="Unit of the heights where the file tells none, as um."),
+        click.option("--level", is_flag=True, help="Subtract the plane that fits best."),
+        click.option(
+            "--fill", is_flag=True, help="Fill gaps in the measurement (NaN in the file) with a smooth surface."
+        ),
+        click.option("--unit", metavar="UNIT", help="Unit of the heights if the file does not name one, such as um."),
         click.option(
             "--spacing",
             type=_Pair(_LENGTH),
             metavar="DX[,DY]",
-            help="Distances of the points, as 2um or 2um,3um: where the file has none.",
+            help="Distances of the points if the file does not contain them, such as 2um or 2um,3um.",
         ),
     ):
         command = option(command)
@@ -120,29 +121,42 @@ def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fil
 def surface() -> None:
     """Make, read, inspect and write surfaces.
 
-    Files: .npz, .csv, .txt, .dat with all of a surface, .npy with its heights alone, and what SurfaceTopography reads.
+    Files of the types .npz, .csv, .txt and .dat contain a surface with the distances of its points; .npy contains its
+    heights alone. Other types of files are read by SurfaceTopography.
     """
 
 
 @surface.command("make")
 @click.argument("out", type=click.Path(path_type=Path), metavar="OUT")
 @click.option(
-    "--size", type=_Pair(_LENGTH), metavar="LX[,LY]", required=True, help="Period and longest wavelength, as 1mm."
+    "--size",
+    type=_Pair(_LENGTH),
+    metavar="LX[,LY]",
+    required=True,
+    help="Period, which is the longest wavelength, such as 1mm.",
 )
 @click.option(
     "--cells",
     type=_Pair(click.IntRange(1, 32768)),
     metavar="NX[,NY]",
     required=True,
-    help="Points along x and y; 8 per cutoff are enough for contact.",
+    help="Numbers of points along x and y; 8 per cutoff wavelength are enough for contact.",
 )
-@click.option("--rms-height", type=_LENGTH, help="Root mean square height, as 0.5um; or")
-@click.option("--rms-slope", type=click.FloatRange(min=0.0), help="root mean square of the length of the gradient.")
-@click.option("--hurst", type=click.FloatRange(0.0, 1.0), default=0.8, show_default=True, help="Exponent of Hurst.")
-@click.option("--rolloff", type=_LENGTH, help="Wavelength above which waves are not higher any more; default: none.")
+@click.option("--rms-height", type=_LENGTH, help="Root mean square height, such as 0.5um. Give this or --rms-slope.")
+@click.option("--rms-slope", type=click.FloatRange(min=0.0), help="Root mean square of the magnitude of the gradient.")
+@click.option("--hurst", type=click.FloatRange(0.0, 1.0), default=0.8, show_default=True, help="Hurst exponent.")
+@click.option(
+    "--rolloff",
+    type=_LENGTH,
+    help="Roll-off wavelength, above which the power spectral density is constant; default: none.",
+)
 @click.option("--cutoff", type=_LENGTH, required=True, help="Shortest wavelength.")
 @click.option(
-    "--seed", type=click.IntRange(0, 2**63 - 1), default=0, show_default=True, help="Another one: another surface."
+    "--seed",
+    type=click.IntRange(0, 2**63 - 1),
+    default=0,
+    show_default=True,
+    help="Seed of the random numbers; each seed gives another surface.",
 )
 @reports_errors
 def _make(
@@ -158,7 +172,7 @@ def _make(
 ) -> None:
     """Make a random, self-affine, periodic surface and write it to OUT.
 
-    A texture of type "random" in a case is this surface without a file.
+    A case can have the same surface without a file, by a texture of type "random".
     """
     with reports_warnings(out):
         made = surfaces.random(
@@ -180,7 +194,10 @@ def _make(
 @_file
 @_reading
 @click.option(
-    "--figure", type=click.Path(path_type=Path), metavar="PICTURE", help="Draw it as well: .png, .pdf or .svg."
+    "--figure",
+    type=click.Path(path_type=Path),
+    metavar="PICTURE",
+    help="Draw the surface to a file of type .png, .pdf or .svg.",
 )
 @reports_errors
 def _show(
@@ -191,9 +208,10 @@ def _show(
     level: bool,
     figure: Path | None,
 ) -> None:
-    """Print the roughness of FILE, and draw it.
+    """Print the roughness of the surface in FILE.
 
-    The picture has the map, the power spectral density, the distribution of the heights and the bearing-area curve.
+    The figure of --figure shows the map, the power spectral density, the distribution of the heights and the
+    bearing-area curve.
     """
     ending = figure.suffix.lstrip(".").lower() if figure else None
     if figure and ending not in ("png", "pdf", "svg"):
@@ -221,9 +239,9 @@ def _convert(
     fill: bool,
     level: bool,
 ) -> None:
-    """Read IN and write it as OUT: .npz, .csv, .txt, .dat or .npy.
+    """Read the surface in IN and write it to OUT, a file of type .npz, .csv, .txt, .dat or .npy.
 
-    A .npy has the heights alone, for which nobody needs to know their distances.
+    A .npy file contains the heights alone; for it the distances of the points need not be known.
     """
     if spacing is None and out.suffix == ".npy" and file.suffix in (".npy", *TEXT):
         spacing = (1.0, 1.0)
@@ -232,7 +250,7 @@ def _convert(
 
 
 def _table(heightmap: HeightMap) -> str:
-    """Roughness with names and symbols of ISO 25178-2."""
+    """The roughness with the symbols of ISO 25178-2, as a table."""
     ny, nx = heightmap.heights.shape
     rows = [
         ("points", f"{nx} x {ny}", "along x, along y"),

@@ -14,7 +14,7 @@ from matplotlib.quiver import Quiver, QuiverKey
 
 import brinell
 from brinell._toml import tomllib
-from brinell.plot import slip, style
+from brinell.plot import slip, style, tangential
 from brinell.report.volumes import pictures_of
 from brinell.results import Run, RunError
 from brinell.scenarios.fretting import TRAITS
@@ -152,7 +152,7 @@ def test_maps_of_the_contact_belong_to_the_history(run: Run) -> None:
     assert contact.shear_x.sum() * area == pytest.approx(row["F_x"], rel=1e-9)
     assert contact.friction_heat.sum() * area == pytest.approx(row["dissipation_friction"], rel=1e-9)
     assert contact.slip_path.max() == pytest.approx(row["slip_path"])
-    sticking = slip.sticks(contact, FRICTION * contact.pressure)
+    sticking = tangential.sticks(contact, FRICTION * contact.pressure)
     assert sticking.sum() / (contact.pressure > 0.0).sum() == pytest.approx(row["stick_share"])
     assert not contact.slip_x[sticking].any()
     assert np.all(contact.slip_x[(contact.pressure > 0.0) & ~sticking] > 0.0)
@@ -303,7 +303,7 @@ def test_states_in_which_all_sticks_or_all_slips(run: Run) -> None:
     """The end of pressing, where nothing has moved, and a turn beyond what friction holds."""
     pressed = run.snapshot(1)
     assert not pressed.row["slip_path"]
-    if slip.has_slip(pressed):
+    if tangential.has_slip(pressed):
         texts(brinell.plot.stick_slip_maps(run, pressed))
     far = fretting(displacement="2 um").run(in_memory=True)
     turn = far.snapshot("aligned")
@@ -319,7 +319,9 @@ def test_a_surface_that_yields_slips_below_friction_times_pressure(run_soft: Run
     turn = run_soft.snapshot("aligned")
     row = turn.row
     assert row["share_at_shear_limit"] > 0.1
-    below = slip.sticks(turn.contact, FRICTION * turn.contact.pressure).sum() / (turn.contact.pressure > 0.0).sum()
+    below = (
+        tangential.sticks(turn.contact, FRICTION * turn.contact.pressure).sum() / (turn.contact.pressure > 0.0).sum()
+    )
     assert below == pytest.approx(row["stick_share"] + row["share_at_shear_limit"])
     assert f"sticks\n{100 * row['stick_share']:.0f} %" in texts(brinell.plot.contact_maps([run_soft]))
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell import InputError, surfaces
+from brinell import InputError, IoError, surfaces
 from brinell.surfaces import HeightMap
 
 
@@ -118,3 +118,12 @@ def test_commas_between_numbers_stay(tmp_path: Path, text: str, expected: list[l
     file = tmp_path / "heights.csv"
     file.write_text(text, encoding="utf-8")
     np.testing.assert_array_equal(surfaces.read(file, spacing=(1.0, 1.0)).heights, expected)
+
+
+@pytest.mark.skipif(not Path("/proc/self/mem").exists(), reason="needs a file of Linux that cannot be read")
+@pytest.mark.parametrize("ending", ["txt", "npy", "npz"])
+def test_a_file_that_cannot_be_read_is_named(tmp_path: Path, ending: str) -> None:
+    file = tmp_path / f"heights.{ending}"
+    file.symlink_to("/proc/self/mem")  # a regular file whose first bytes are never readable
+    with pytest.raises(IoError, match=rf"heights\.{ending}: cannot be read: Input/output error"):
+        surfaces.read(file, spacing="1 um")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/constitutive/depth_profile.hpp"
 
+#include "between_points.hpp"
 #include "brinell/foundation/error.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -31,14 +31,7 @@ double DepthProfile::at(double z, double without) const
 {
   if (depth_.empty())
     return without;
-  const auto after = std::upper_bound(depth_.begin(), depth_.end(), z);
-  if (after == depth_.begin())
-    return value_.front();
-  if (after == depth_.end())
-    return value_.back();
-  const auto i = static_cast<std::size_t>(after - depth_.begin());
-  const double t = (z - depth_[i - 1]) / (depth_[i] - depth_[i - 1]);
-  return (1.0 - t) * value_[i - 1] + t * value_[i];
+  return between_points(depth_, value_, z);
 }
 
 } // namespace brinell::constitutive

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/constitutive/softening.hpp"
 
+#include "between_points.hpp"
 #include "brinell/foundation/error.hpp"
 
 #include <algorithm>
@@ -51,14 +52,7 @@ TabulatedSoftening::TabulatedSoftening(std::vector<double> temperature, std::vec
 
 double TabulatedSoftening::factor(double temperature) const
 {
-  const auto after = std::upper_bound(temperature_.begin(), temperature_.end(), temperature);
-  if (after == temperature_.begin())
-    return factor_.front();
-  if (after == temperature_.end())
-    return factor_.back();
-  const auto i = static_cast<std::size_t>(after - temperature_.begin());
-  const double t = (temperature - temperature_[i - 1]) / (temperature_[i] - temperature_[i - 1]);
-  return (1.0 - t) * factor_[i - 1] + t * factor_[i];
+  return between_points(temperature_, factor_, temperature);
 }
 
 double softening_factor(const SofteningLaw& law, double temperature)

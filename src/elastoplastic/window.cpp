@@ -11,9 +11,6 @@ namespace
 {
 
 constexpr int margin = 2; ///< columns on either side of the needed ones
-/// Possible lengths of windows, relative to the body. Only few, because each needs operators of its own, and none so long that it
-/// would save little time.
-constexpr std::array<double, 2> shares{0.25, 0.375};
 /// Number of requests for a length before its operators are made. Making them costs about as much as twenty evaluations of all
 /// cells.
 constexpr double min_requests = 60.0;
@@ -44,8 +41,8 @@ void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
 }
 
 Window::Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry)
-    : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), parts_(shares.size()),
-      requests_(shares.size(), 0.0)
+    : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), parts_(window_shares.size()),
+      requests_(window_shares.size(), 0.0)
 {
 }
 
@@ -55,11 +52,11 @@ bool Window::place(const Columns& needed, const Reference& reference)
   if (body_.surface.is_periodic_x())
     return false;
   std::size_t length = 0;
-  while (length < shares.size() && length_for(shares[length], all) < needed.count + 2 * margin)
+  while (length < window_shares.size() && length_for(window_shares[length], all) < needed.count + 2 * margin)
     ++length;
-  if (length == shares.size() || ++requests_[length] <= min_requests)
+  if (length == window_shares.size() || ++requests_[length] <= min_requests)
     return false;
-  const int count = length_for(shares[length], all);
+  const int count = length_for(window_shares[length], all);
   length_ = length;
   columns_ = {std::clamp(needed.first - (count - needed.count) / 2, 0, all - count), count};
   cells_.surface.nx = count;

@@ -22,6 +22,10 @@ struct Columns
   int first, count;
 };
 
+/// Possible lengths of windows, relative to the body. Only few, because each needs operators of its own, and none so long that it
+/// would save little time.
+inline constexpr std::array<double, 2> window_shares{0.25, 0.375};
+
 /// A range of columns of a body in which strain and load change in an increment, computed like a half space of its own.
 ///
 /// Stress and displacement are linear in plastic strain and load. Relative to a reference solution, for which all of the body has

@@ -24,6 +24,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
+/// Checksum of the added data, independent of how they are split.
+class Checksum
+{
+public:
+  Checksum() { XXH3_64bits_reset(&state_); }
+  void add(std::string_view bytes) { XXH3_64bits_update(&state_, bytes.data(), bytes.size()); }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", XXH3_64bits_digest(&state_)); }
+
+private:
+  XXH3_state_t state_{};
+};
+
 /// The seal after the content of a sealed file.
 std::string seal(std::string_view mark, std::string_view sum)
 {
@@ -134,28 +146,6 @@ void Replacement::commit()
   if (error)
     throw failed(error.message());
   is_committed_ = true;
-}
-
-struct Checksum::State
-{
-  XXH3_state_t xxh3;
-};
-
-Checksum::Checksum() : state_(std::make_unique<State>())
-{
-  XXH3_64bits_reset(&state_->xxh3);
-}
-
-Checksum::~Checksum() = default;
-
-void Checksum::add(std::string_view bytes)
-{
-  XXH3_64bits_update(&state_->xxh3, bytes.data(), bytes.size());
-}
-
-std::string Checksum::text() const
-{
-  return fmt::format("{:016x}", XXH3_64bits_digest(&state_->xxh3));
 }
 
 std::string checksum(std::string_view bytes)

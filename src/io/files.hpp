@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <ios>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -35,25 +34,8 @@ void read_blocks(const std::filesystem::path& file, std::size_t largest,
 /// @throws IoError
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// 64-bit checksum (XXH3) of the added data, independent of how they are split. Damage goes unnoticed with a probability of
-/// 2^-64. It is not a signature and does not protect against manipulation.
-class Checksum
-{
-public:
-  Checksum();
-  ~Checksum();
-  Checksum(const Checksum&) = delete;
-  Checksum& operator=(const Checksum&) = delete;
-
-  void add(std::string_view bytes);
-  /// Sixteen hexadecimal digits.
-  [[nodiscard]] std::string text() const;
-
-private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
+/// 64-bit checksum (XXH3), sixteen hexadecimal digits. Damage goes unnoticed with a probability of 2^-64. It is not a signature
+/// and does not protect against manipulation.
 [[nodiscard]] std::string checksum(std::string_view bytes);
 
 /// A file that is written under its name with the suffix .part, and renamed when it is complete.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "memory.hpp"
 
+#include "elastoplastic/window.hpp"
 #include "foundation/fft.hpp"
 #include "halfspace/coarser_surface.hpp"
 #include "halfspace/half_space_memory.hpp"
@@ -50,7 +51,7 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
     return 0.0;
   double bytes = 0.0;
   VolumeGrid part = grid;
-  for (const double share : {0.25, 0.375})
+  for (const double share : elastoplastic::window_shares)
   {
     part.surface.nx = static_cast<int>(share * grid.surface.nx);
     bytes += halfspace::memory_of_half_space(part, shears).operators;

@@ -189,7 +189,7 @@ double required_radius(const char* body, const Shape& shape)
   const std::optional<double> radius = passing_radius(shape);
   if (!radius)
     throw InputError(fmt::format("{}.shape has no radius > 0 in the plane of motion and cannot pass another body; "
-                                 "allowed in tugging: paraboloids with radius_x > 0, and rollers",
+                                 "allowed in tugging: spheres, ellipsoids with radius_x > 0, and cylinders",
                                  body));
   return *radius;
 }

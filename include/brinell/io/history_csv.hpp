@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/archive.hpp"
 #include "brinell/simulation/columns.hpp"
 
 #include <cstdio>
@@ -14,8 +15,6 @@
 
 namespace brinell::io
 {
-
-class Checksum;
 
 /// A number of a history with the description of its column in files.
 struct NamedNumber
@@ -58,33 +57,31 @@ void add_row(std::vector<HistoryColumn>& table, const std::vector<NamedNumber>& 
 class HistoryWriter
 {
 public:
-  /// Replaces the file, or continues after its first rows.
-  /// @param record  of any step, for the names of the columns
-  /// @param kept    number of rows to keep; 0: a new file.
-  /// @param sum     checksum of the file up to these rows; empty: not compared
-  /// @throws IoError, also if the kept rows have changed
-  HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
-                std::string_view sum = {});
-  ~HistoryWriter();
+  /// Replaces the file by one with the rows of a checkpoint.
+  /// @param record      of any step, for the names of the columns
+  /// @param checkpoint  nullptr: no rows
+  /// @throws IoError; InputError if the checkpoint does not contain these columns
+  HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record,
+                const Archive::Fields* checkpoint = nullptr);
 
   /// @throws IoError
   void add(const std::vector<NamedNumber>& row);
 
   /// The columns, with all rows in the file.
   [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return columns_; }
-  /// Checksum of the present file.
-  [[nodiscard]] std::string checksum() const;
+  [[nodiscard]] std::size_t rows() const { return columns_.front().values.size(); }
+
+  /// Saves or restores the rows.
+  void exchange(Archive& archive);
 
 private:
   struct Closer
   {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  void keep_rows(const std::string& header, int count, std::string_view sum);
 
   std::filesystem::path path_;
   std::vector<HistoryColumn> columns_;
-  std::unique_ptr<Checksum> sum_;
   std::unique_ptr<std::FILE, Closer> file_;
 };
 

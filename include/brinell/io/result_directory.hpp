@@ -47,7 +47,7 @@ public:
   [[nodiscard]] bool replaced() const;
   /// The checkpoint to resume from; none from the second call on.
   [[nodiscard]] std::optional<Archive::Fields> take_checkpoint();
-  /// Number of steps finished at the checkpoint; 0 without one.
+  /// Number of steps in the history; before the first step, those up to the checkpoint.
   [[nodiscard]] int finished_steps() const;
 
   /// Stores the row of a finished step.
@@ -56,9 +56,9 @@ public:
   /// Stores the fields of a step, with the columns as attributes.
   /// @throws IoError
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
-  /// Stores a checkpoint after a step, replacing the previous one.
+  /// Stores a checkpoint after the last step in the history, replacing the previous one.
   /// @throws IoError
-  void add_checkpoint(int step, const std::function<void(Archive&)>& state);
+  void add_checkpoint(const std::function<void(Archive&)>& state);
 
   /// Stores the fields after the last step.
   /// @throws IoError

@@ -28,7 +28,7 @@ public:
 
   /// Always none: such a run cannot be resumed.
   [[nodiscard]] static std::optional<Archive::Fields> take_checkpoint() { return std::nullopt; }
-  void add_checkpoint(int, const std::function<void(Archive&)>&) {}
+  void add_checkpoint(const std::function<void(Archive&)>&) {}
 
   /// Stores a row of the history.
   void add(const std::vector<NamedNumber>& columns);

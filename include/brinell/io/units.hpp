@@ -55,4 +55,8 @@ struct Quantity
 /// @throws InputError; its text continues a sentence that begins with the value.
 [[nodiscard]] double degrees_celsius(std::string_view text);
 
+/// Reads "70 deg", "70°", "1.2 rad" or "20 mrad" in degrees.
+/// @throws InputError; its text continues a sentence that begins with the value.
+[[nodiscard]] double degrees(std::string_view text);
+
 } // namespace brinell::io

@@ -4,12 +4,12 @@
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
 over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
-scenario), `slip` (stick and slip in one state), `history`, `energy` and `wear` (one run step by step), `temperature`
-(step by step, and in one state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums
-of passing asperities), `standard` (what suits a run), `surfaces` (a height map), `cli` (`brinell plot`). Below them:
-`style` (the look of all figures), `scales` (what each quantity is divided by), `quantities` (the fields by name),
-`planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `states` (which state and which
-bodies), `cells` (cell values as pictures).
+scenario), `slip` and `friction_heat` (stick and slip, and the heat of friction, in one state), `history`, `energy`
+and `wear` (one run step by step), `temperature` (step by step, and in one state), `animation` and `pressure` (one
+pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run),
+`surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each
+quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
+(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -26,6 +26,7 @@ from brinell.plot.fretting import (
     force_loops,
     fretting_course,
 )
+from brinell.plot.friction_heat import friction_heat_map
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
@@ -47,7 +48,7 @@ from brinell.plot.run_in import surfaces_before_and_after
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section
 from brinell.plot.sliding import along_way, stroke_by_stroke
-from brinell.plot.slip import friction_heat_map, stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface

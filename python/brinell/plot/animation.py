@@ -31,7 +31,7 @@ ENDINGS = (".gif", ".mp4")
 
 @dataclass(frozen=True, eq=False)
 class _Frame:
-    """One stored state, as far as it is drawn."""
+    """One stored state with the fields that are drawn."""
 
     title: str
     cuts: dict[str, Cut]
@@ -102,7 +102,7 @@ def remark_on(run: Run, pass_: int) -> str:
 def _frames(
     run: Run, steps: Sequence[int], bodies: Bodies, quantity: Quantity, plane: Plane, *, on_body: bool
 ) -> Iterator[_Frame]:
-    """State by state, so that the fields of only one are in memory."""
+    """Reads the states one after the other, so that the fields of only one are in memory."""
     for step in steps:
         snapshot = run.snapshot(step, tensors=needs_tensors([quantity]))
         sides = chosen_sides(run, snapshot, bodies)
@@ -128,7 +128,7 @@ def _frame(
 
 
 def _panel(run: Run, frames: Sequence[_Frame], quantity: Quantity) -> Panel:
-    """Of the first frame, with the colours of all; of the bodies that all frames show."""
+    """Panel of the first frame with a colour range for all frames, of the bodies that all frames show."""
     names = [name for name in frames[0].cuts if all(name in frame.cuts for frame in frames)]
     if not names:
         raise RunError(f"{run.path}: {quantity.name} is not stored, or the plane lies outside the grids")
@@ -181,7 +181,7 @@ def _animation(
 
 
 def _common(windows: Iterator[Window]) -> Window:
-    """The smallest window that holds all."""
+    """The smallest window that contains all windows."""
     across, upward = (np.array(edges) for edges in zip(*((w.across, w.upward) for w in windows), strict=True))
     return Window(
         (float(across[:, 0].min()), float(across[:, 1].max())), (float(upward[:, 0].min()), float(upward[:, 1].max()))
@@ -189,7 +189,7 @@ def _common(windows: Iterator[Window]) -> Window:
 
 
 def writer_of(path: Path) -> type[FFMpegWriter] | type[PillowWriter]:
-    """What writes files of this kind; asked before an animation is drawn, which takes its time.
+    """The writer of files with this ending. To be called before an animation is drawn, because drawing takes long.
 
     Raises:
         InputError: no animation is saved with this ending, or its program is not installed.

@@ -26,7 +26,7 @@ _POINTS = 161
 
 @style.figure
 def passes_map(of: AsperityMap, quantity: str = "work", ratio: float = 1.0) -> Figure:
-    """What one pass comes to, over interference and offset, and along the nodes with their errors.
+    """A result of one pass over interference and offset, and along the nodes of the map with their errors.
 
     All in units of the pair: alpha_c, and the way L = sqrt(2 (R1 + R2) alpha_c) of offset and pass.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cell values on regular grids as pictures: where cells end, the plane y = 0, the edge of contact between cells."""
+"""Cell values on regular grids as images: extent of the cells, the plane y = 0, the edge of contact between cells."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def contact_edge(contact: ContactFields) -> FloatArray:
 
 
 def contact_span(contact: ContactFields, along: Literal["x", "y"] = "x", at: float = 0.0) -> tuple[float, float]:
-    """Where the contact begins and ends on a line in the plane of contact [m]; (0, 0) if the line misses it.
+    """First and last place of the contact on a line in the plane of contact [m]; (0, 0) if the line misses it.
 
     Args:
         contact: where.
@@ -75,7 +75,7 @@ def contact_patch(contact: ContactFields, scale: float) -> tuple[tuple[float, fl
 
 
 def refined(values: FloatArray, factor: int) -> FloatArray:
-    """Cell values [y][x], linear between centres, on cells `factor` times smaller; constant beyond the rim."""
+    """Cell values [y][x] on cells `factor` times smaller: linear between centres, constant beyond the outer centres."""
 
     def along(array: FloatArray, count: int) -> FloatArray:  # last axis
         position = np.clip((np.arange(count * factor) + 0.5) / factor - 0.5, 0.0, count - 1.0)
@@ -119,7 +119,7 @@ def draw_cells(
     norm: Normalize,
     interpolation: str,
 ) -> AxesImage:
-    """Cell values on a regular grid, to scale; `y` may run down (depth)."""
+    """Draws cell values on a regular grid, to scale; `y` may run downwards (depth)."""
     return ax.imshow(
         values,
         origin="lower",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Command line of the figures: ``brinell plot``, or ``python -m brinell.plot``.
 
-Exit code 0: all figures are written (their paths are printed); 2: something about the request or a folder is wrong,
-with one line on the standard error stream that says what.
+Exit code 0: all figures are written, and their paths are printed; 2: the request or a folder is wrong, and one line on
+the standard error stream describes the error.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ __all__ = ["plot"]
 
 
 class _PlotGroup(click.Group):
-    """``brinell plot RUN`` is ``brinell plot all RUN``."""
+    """The group of commands, in which ``brinell plot RUN`` means ``brinell plot all RUN``."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Adds the command `all` where the arguments begin with a result or an option of its own."""
+        """Adds the command `all` if the arguments begin with a result or an option of this command."""
         if args and args[0] not in (*self.commands, "--help"):
             word = args[0]
             if word.startswith("-") or os.sep in word or Path(word).exists():
@@ -50,7 +50,7 @@ class _PlotGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """A word that is no command was meant for one, or for a result that is not there."""
+        """Reports a word that is neither a command nor an existing result."""
         if args and args[0] not in self.commands:
             ctx.fail(
                 f"{args[0]!r} is no folder or file of a result, and no command; "
@@ -97,9 +97,15 @@ def _moving_field(text: str) -> str:
 
 _run_folder = click.argument("run", type=click.Path(path_type=Path), metavar="RUN")
 _run_folders = click.argument("runs", type=click.Path(path_type=Path), metavar="RUN...", nargs=-1, required=True)
-_into_run = click.option("-o", "--output", type=click.Path(path_type=Path), help="Folder; by default RUN/figures.")
+_into_run = click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="Folder of the figures; default: RUN/figures."
+)
 _into_figures = click.option(
-    "-o", "--output", type=click.Path(path_type=Path), default=Path("figures"), help="Folder; by default figures."
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    default=Path("figures"),
+    help="Folder of the figures; default: figures.",
 )
 _formats = click.option(
     "--format",
@@ -107,15 +113,20 @@ _formats = click.option(
     metavar="LIST",
     callback=_checked(_file_endings),
     default="png",
-    help=f"Out of {', '.join(style.FORMATS)}, with commas; by default png.",
+    help=f"File types, separated by commas: {', '.join(style.FORMATS)}; default: png.",
 )
-_cells = click.option("--cells", is_flag=True, help="One colour per cell instead of interpolation.")
+_cells = click.option("--cells", is_flag=True, help="Show each cell in one colour, without interpolation.")
 
 
 def _takes_si(command: Callable[..., None]) -> Callable[..., None]:
     """Adds --si to a command."""
 
-    @click.option("--si", "si", is_flag=True, help="In µm and MPa, not over the values at first yield.")
+    @click.option(
+        "--si",
+        "si",
+        is_flag=True,
+        help="Use units such as µm and MPa instead of normalising by the values at first yield.",
+    )
     @functools.wraps(command)
     def wrapper(*args: Any, si: bool, **kwargs: Any) -> None:
         with in_si() if si else contextlib.nullcontext():
@@ -129,9 +140,11 @@ _plane = click.option(
     callback=_checked(plane_of),
     metavar="PLANE",
     default="y=0",
-    help="As in 'y=0' (the default), 'x = 0.1 mm', 'z = 20 um'.",
+    help="Plane of the section, such as 'y=0' (default), 'x = 0.1 mm' or 'z = 20 um'.",
 )
-_bodies = click.option("--body", "bodies", type=click.Choice(get_args(Bodies)), default="both", help="By default both.")
+_bodies = click.option(
+    "--body", "bodies", type=click.Choice(get_args(Bodies)), default="both", help="Bodies to draw; default: both."
+)
 _steps = click.option(
     "--step",
     "steps",
@@ -139,16 +152,16 @@ _steps = click.option(
     metavar="N|aligned|final",
     multiple=True,
     default=["aligned"],
-    help="A stored step by its number; aligned (the default): the one in the middle of the first pass, or under the "
-    "largest load of the first indent; or final. May be given several times.",
+    help="State to draw: the number of a stored step; 'aligned' (default), the step in the middle of the first pass or "
+    "at the largest load of the first indent; or 'final'. May be given several times.",
 )
 
 
 @click.group(cls=_PlotGroup)
 def plot() -> None:
-    """Draw results of 'brinell run'.
+    """Draw figures of the results of 'brinell run'.
 
-    'brinell plot RUN' draws what suits the run; the commands below draw one kind of figure each.
+    'brinell plot RUN' draws all figures that suit the run; each command below draws one kind of figure.
     """
     matplotlib.use("Agg")
 
@@ -165,13 +178,13 @@ def _print(paths: Sequence[Path]) -> None:
 @_takes_si
 @reports_errors
 def _all(run: Path, output: Path | None, formats: list[str]) -> None:
-    """All figures that suit a run, finished or not."""
+    """Draw all figures that suit a run, which may be unfinished."""
     for named in standard_figures(open_run(run, allow_unfinished=True)):
         _print(style.save(named.figure, output or folder_of(run) / "figures", named.name, formats))
 
 
 def _several(drawings: Drawings) -> click.Command:
-    """The command of a scenario, which takes several runs."""
+    """The command of a scenario, whose figures show one run or several."""
 
     @_run_folders
     @_into_figures
@@ -205,7 +218,7 @@ def _state_name(which: int | str) -> str:
 @_takes_si
 @reports_errors
 def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, formats: list[str]) -> None:
-    """Contact pressure, gap, residual surfaces, stress, plastic strain, stick and slip, and heat of one state."""
+    """Draw contact pressure, gap, residual surfaces, stress, plastic strain, stick and slip, and heat of one state."""
     opened = open_run(run, allow_unfinished=True)
     for which in steps:
         snapshot = opened.snapshot(which)
@@ -224,7 +237,8 @@ def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, f
     callback=_checked(_field),
     metavar="FIELD",
     multiple=True,
-    help=f"Out of {', '.join(QUANTITIES)}. May be given several times; by default von Mises stress and plastic strain.",
+    help=f"Field to draw: {', '.join(QUANTITIES)}. May be given several times; default: von Mises stress and "
+    "equivalent plastic strain.",
 )
 @_plane
 @_bodies
@@ -244,7 +258,7 @@ def _section(
     output: Path | None,
     formats: list[str],
 ) -> None:
-    """Fields of the bodies on any plane."""
+    """Draw fields of the bodies on a plane."""
     opened = open_run(run, allow_unfinished=True)
     for which in steps:
         snapshot = opened.snapshot(which, tensors=needs_tensors([quantity_of(name) for name in names]))
@@ -260,23 +274,25 @@ def _section(
     callback=_checked(_moving_field),
     metavar="FIELD",
     default="von_mises_stress",
-    help="As for section, or pressure, seen from above; by default von_mises_stress.",
+    help="Field to draw: one of those of section, or pressure, seen from above; default: von_mises_stress.",
 )
 @_plane
 @_bodies
-@click.option("--pass", "pass_", type=click.IntRange(min=1), default=1, help="Which pass; counts from 1, the default.")
+@click.option(
+    "--pass", "pass_", type=click.IntRange(min=1), default=1, help="Number of the pass, counted from 1; default: 1."
+)
 @click.option(
     "--follow",
     type=click.Choice(get_args(Follow)),
-    help="Keep the contact in the middle (default for both bodies), or let it pass over the body (for one).",
+    help="Keep the contact in the middle (default for both bodies), or the body in place (default for one body).",
 )
 @_cells
-@click.option("--fps", type=click.IntRange(min=1), default=8, help="Frames per second; by default 8.")
+@click.option("--fps", type=click.IntRange(min=1), default=8, help="Frames per second; default: 8.")
 @click.option(
     "-o",
     "--output",
     type=click.Path(path_type=Path),
-    help="A .gif, or an .mp4 (needs ffmpeg); by default RUN/figures/FIELD.gif.",
+    help="File of type .gif, or .mp4 (needs ffmpeg); default: RUN/figures/FIELD.gif.",
 )
 @_takes_si
 @reports_errors
@@ -291,7 +307,10 @@ def _animate(
     fps: int,
     output: Path | None,
 ) -> None:
-    """A moving picture of one pass, from its stored states ([output] snapshots = "all" stores all)."""
+    """Make a moving picture of one pass from its stored states.
+
+    With snapshots = "all" in the table [output] of the case, all states are stored.
+    """
     opened = open_run(run, allow_unfinished=True)
     path = output or folder_of(run) / "figures" / f"{field}.gif"
     moving.writer_of(path)
@@ -308,6 +327,6 @@ def _animate(
 @_takes_si
 @reports_errors
 def _history(run: Path, output: Path | None, formats: list[str]) -> None:
-    """Forces, energies, deformation and cost of one run, step by step."""
+    """Draw forces, energies, deformation and cost of one run, step by step."""
     opened = open_run(run, allow_unfinished=True)
     _print(style.save(course.run_history(opened), output or folder_of(run) / "figures", "history", formats))

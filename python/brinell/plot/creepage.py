@@ -80,7 +80,7 @@ _NO_MATTER = (
 
 
 def _flat(table: Mapping[str, Any], before: str = "") -> list[tuple[str, Any]]:
-    """Keys of a case with dots between, and their values, which can be compared."""
+    """Keys of a case, dotted, with values that can be compared."""
     found: list[tuple[str, Any]] = []
     for key, value in table.items():
         if isinstance(value, Mapping):
@@ -91,7 +91,7 @@ def _flat(table: Mapping[str, Any], before: str = "") -> list[tuple[str, Any]]:
 
 
 def _abscissa(points: Sequence[_Point], own: Cause) -> Cause | None:
-    """What a force is drawn over: the creepage along it if that varies, else what does; None if nothing does."""
+    """Abscissa of a force: the creepage along it if it varies, else another one that varies; None if none does."""
     order = (own, *(one for one in _CAUSES if one != own))
     return next((one for one in order if len({point.creepage[one] for point in points}) > 1), None)
 
@@ -100,9 +100,9 @@ _Family = list[_Point]
 
 
 def _families(points: Sequence[_Point], over: Cause) -> dict[str, _Family]:
-    """The curves by their labels: points that differ in what they are drawn over, and in nothing that counts.
+    """Curves by their labels. The points of a curve differ only in their abscissa and in properties without influence.
 
-    Creepages beside that one may vary along a curve, unless there are several points at the same place.
+    Other creepages may vary along a curve, unless there are several points at the same place.
     """
     by_others: dict[Any, _Family] = {}
     for point in points:
@@ -141,7 +141,7 @@ _UNITS = {
 
 
 def _told(key: str, value: Any) -> str:
-    """A key of a case with its value, as a curve's name.
+    """A key of a case with its value, as the name of a curve.
 
     >>> _told("interface.friction", 0.3), _told("rolling.load", 1000.0)
     ('friction 0.3', 'load 1 kN')
@@ -254,7 +254,7 @@ _UNSTEADY = "not yet steady"
 
 
 def _looks(labels: Sequence[str]) -> list[Look]:
-    """A colour and a marker each: dashes are left to the linear theory."""
+    """Colours and markers of the curves; dashes are reserved for the linear theory."""
     markers = [_MARKERS[i % len(_MARKERS)] for i in range(len(labels))]
     return [
         look | {"linestyle": "-", "marker": marker, "markersize": 4.5}
@@ -268,7 +268,7 @@ def _scale(points: Sequence[_Point], over: Cause) -> Scale:
 
 
 def _draw_family(ax: Axes, family: _Family, place: FloatArray, which: int, look: Look) -> None:
-    """One curve, with open points where the force was not yet steady."""
+    """Draws one curve; points are open where the force was not yet steady."""
     force = np.array([point.force[which] for point in family])
     steady = np.array([point.steady for point in family])
     ax.plot(place, force, **look | {"marker": ""})
@@ -278,9 +278,9 @@ def _draw_family(ax: Axes, family: _Family, place: FloatArray, which: int, look:
 
 
 def _draw_linear(ax: Axes, family: _Family, place: FloatArray, which: int, colour: str) -> bool:
-    """The linear theory as far as friction times load; whether there is one.
+    """Draws the linear theory up to friction times load. Returns whether there is one.
 
-    From point to point where it is no straight line, as other creepages vary beside the one it is drawn over.
+    It goes from point to point where it is not a straight line because other creepages vary along the curve.
     """
     found = [_linear_force(point) for point in family]
     force = np.array([one[which] for one in found if one is not None])
@@ -299,9 +299,9 @@ def _draw_linear(ax: Axes, family: _Family, place: FloatArray, which: int, colou
 
 
 def _draw_limits(ax: Axes, force: Sequence[float]) -> bool:
-    """Friction times load, on the sides where a force comes near it; whether there is one.
+    """Draws friction times load on the sides where a force comes near it. Returns whether it was drawn.
 
-    Small forces need the height for themselves.
+    Small forces need the height of the axes for themselves.
     """
     zero_line(ax)
     ax.axvline(0.0, color="0.8", linewidth=0.8, zorder=0.5)

@@ -71,12 +71,12 @@ class Window:
 
     @property
     def shape(self) -> float:
-        """Height over width."""
+        """Ratio of height to width."""
         return (self.upward[1] - self.upward[0]) / (self.across[1] - self.across[0])
 
 
 def from_contact(snapshot: Snapshot) -> Origin:
-    """Counts x from the centre of contact while there is one, and afterwards as each body does itself."""
+    """Whether x is counted from the centre of contact; after contact, from the origin of each body."""
     return (lambda side: side.body.contact_x) if snapshot.in_contact else (lambda _: 0.0)
 
 
@@ -95,7 +95,7 @@ def cut_of(side: Side, quantity: Quantity, plane: Plane, origin: Origin) -> Cut 
 
 
 def usual_quantities(bodies: Sequence[Side]) -> list[Quantity]:
-    """Von Mises stress and plastic strain as far as there is any; at least one of them."""
+    """Von Mises stress and plastic strain if they are not zero; at least one of them."""
 
     def is_there(name: str) -> bool:
         found = [QUANTITIES[name].values(side.body) for side in bodies]
@@ -109,7 +109,7 @@ def usual_quantities(bodies: Sequence[Side]) -> list[Quantity]:
 def panel_of(
     run: Run, snapshot: Snapshot, bodies: Sequence[Side], quantity: Quantity, plane: Plane, origin: Origin
 ) -> Panel:
-    """A field of the bodies on a plane, with colours that suit what is on it.
+    """A field of the bodies on a plane, with a colour range that suits its values.
 
     Raises:
         RunError: the field is not stored, or the plane lies outside the grids.
@@ -127,14 +127,14 @@ def panel_of(
 
 
 def panel_over(scales: Scales, quantity: Quantity, title: str, cuts: list[Cut], lowest: float, highest: float) -> Panel:
-    """Cuts with the colours of a range [SI]."""
+    """Cuts with the colours of a given range [SI]."""
     scale = quantity.scale(scales, max(-lowest, highest))
     colour_map, norm = quantity.colours(lowest / scale.size, highest / scale.size)
     return Panel(title, scale.label("", quantity.symbol), colour_map, norm, scale.size, cuts)
 
 
 def contact_on(contact: ContactFields, plane: Plane) -> tuple[float, float]:
-    """Where the contact begins and ends on a plane normal to the surface [m]; (0, 0) if the plane misses it."""
+    """First and last place of the contact on a plane normal to the surface [m]; (0, 0) if the plane misses it."""
     return contact_span(contact, "x" if plane.axis == "y" else "y", plane.value)
 
 
@@ -148,7 +148,7 @@ def _patch(contact: ContactFields, axis: str) -> tuple[float, float]:
 
 
 def window_of(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, origin: Origin) -> Window:
-    """Part of a plane worth drawing: around the contact, or all that has yielded."""
+    """Part of a plane to be drawn: around the contact, or around all cells that have yielded."""
     across = "y" if plane.axis == "x" else "x"
     low, high, deep = np.inf, -np.inf, 0.0
     if snapshot.in_contact:
@@ -176,7 +176,7 @@ def window_of(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, origin: 
 
 
 def _upward(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, deep: float) -> tuple[float, float]:
-    """Limits with the surfaces at 0; a rigid body in contact gets a strip."""
+    """Limits of the vertical axis with the surfaces at 0; a rigid body in contact gets a strip."""
     if plane.axis == "z":
         return -deep, deep
     drawn = {side.up for side in bodies}

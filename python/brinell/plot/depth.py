@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stress and plastic strain over the depth under one point of a body: what X-ray diffraction measures in layers."""
+"""Stress and plastic strain over the depth under one point of a body, as X-ray diffraction measures in layers."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _place(x: float, y: float, *, from_contact: bool) -> str:
 
 
 def _lines(run: Run, state: Snapshot, side: Side, x: float, y: float) -> dict[str, FloatArray]:
-    """By field, SI, over the layers of a body."""
+    """Values of each field over the layers of a body, in SI."""
     names = (*_COMPONENTS, "equivalent_plastic_strain")
     return {
         name: _line(run, side, QUANTITIES[name], x + (side.body.contact_x if state.in_contact else 0.0), y)
@@ -82,7 +82,7 @@ def _lines(run: Run, state: Snapshot, side: Side, x: float, y: float) -> dict[st
 
 
 def _line(run: Run, side: Side, quantity: Quantity, x: float, y: float) -> FloatArray:
-    """A field under a point, between the cell columns linear in both directions."""
+    """Values of a field under a point, linear between the columns of cells."""
     values = quantity.values(side.body)
     if values is None:
         raise RunError(f"{run.path}: {quantity.name} of the {side.name} is not stored")

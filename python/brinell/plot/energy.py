@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energy balance: what the work of the drive was converted to, and the error of the balance."""
+"""Energy balance: forms of energy to which the work of the drive was converted, and the error of the balance."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def sinks_of(history: History) -> tuple[Sink, ...]:
 
 
 def supplied(history: History) -> FloatArray:
-    """Work of the drive, and of bodies that swell as they grow warm, since the start [J]."""
+    """Work of the drive since the start [J], with the work that bodies do as they expand."""
     expansion = history.get("work_of_expansion", 0.0)
     return np.asarray(history["work"] + expansion, dtype=np.float64)
 
@@ -63,7 +63,7 @@ def balance_error(history: History) -> FloatArray:
 
 @style.figure
 def energy_balance(run: Run) -> Figure:
-    """What the work of the drive has turned into, step by step, and below the part of it that is unaccounted for."""
+    """Forms of energy to which the work of the drive was converted by step; below, the part that is unaccounted for."""
     history = run.history
     step = history["step"]
     energy = si(float(np.max(np.abs(history["work"]))), "J")

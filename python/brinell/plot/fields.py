@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of one state: contact pressure, residual surfaces, stress, plastic strain and heat under the contact."""
+"""Figures of one state: contact pressure, residual surfaces, stress, plastic strain and heat under the contact."""
 
 from __future__ import annotations
 
@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cells, extent, refined
+from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.sections import name_contact_axes, section
-from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps
+from brinell.plot.slip import stick_slip_maps
 from brinell.plot.states import Side, of_state, sides, state_title
+from brinell.plot.tangential import has_slip
 from brinell.plot.temperature import has_heat, surface_temperature_maps, temperature_section
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
 from brinell.scenarios import SCENARIOS
@@ -70,7 +72,7 @@ def _is_one_row(contact: ContactFields) -> bool:
 def _row(
     values: FloatArray, scale: Scale, label: str, title: str, snapshot: Snapshot, length: Scale, cells: bool
 ) -> Figure:
-    """A field of the contact over x, around what touches, where there is one row of cells."""
+    """Draws a field of a contact with one row of cells over x, in and around the contact."""
     contact = snapshot.contact
     left, right = contact_patch(contact, length.size)[0]
     x = contact.x / length.size
@@ -91,7 +93,7 @@ def _pressure_cells(ax: Axes, contact: ContactFields, length: float, unit: float
 
 
 def _smooth_pressure(ax: Axes, contact: ContactFields, length: float, unit: float) -> AxesImage:
-    """Between the cells it is p^2 that is interpolated: linear up to the edge, where p itself rises like a root."""
+    """Interpolates p^2 between cells: p^2 is linear up to the edge, where p itself rises like a square root."""
     edge = contact_edge(contact)
     factor = max(2, 800 // min(contact.pressure.shape))
     inside = np.clip(refined(edge, factor), 0.0, None)
@@ -239,7 +241,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
 
 
 def _draw_profile(ax: Axes, deformed: Sequence[Side], length: float, depth: Scale) -> None:
-    """Heights on y = 0."""
+    """Draws the heights on y = 0."""
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)
     for side in deformed:
         line = at_centre(side.body.y, _height(side.body)) / depth.size
@@ -251,7 +253,7 @@ def _draw_profile(ax: Axes, deformed: Sequence[Side], length: float, depth: Scal
 
 
 def _height_norm(lowest: float, highest: float) -> Normalize:
-    """The pile-up is much lower than the groove is deep: each side of zero gets its own half of colours and bar."""
+    """Norm in which each side of zero has half of the colours, as the groove is deeper than the pile-up is high."""
     if lowest == highest == 0.0:
         return Normalize(-1.0, 1.0)
     small = _NEGLIGIBLE * max(-lowest, highest)
@@ -259,7 +261,7 @@ def _height_norm(lowest: float, highest: float) -> Normalize:
 
 
 def _enlargement(norm: Normalize) -> str:
-    """Says that pile-up has more colours for its height than the groove."""
+    """Label that says that pile-up has more colours for its height than the groove."""
     if not isinstance(norm, TwoSlopeNorm) or norm.vmin is None or norm.vmax is None:
         return ""
     ratio = -norm.vmin / norm.vmax
@@ -269,7 +271,7 @@ def _enlargement(norm: Normalize) -> str:
 
 
 def _height_ticks(lowest: float, highest: float) -> list[float]:
-    """Round heights on both halves of the bar, each with its own distance."""
+    """Round heights on both halves of the colour bar, each half with its own distance."""
     ticks = [0.0]
     for end in (lowest, highest):
         if abs(end) > _NEGLIGIBLE * max(-lowest, highest):
@@ -285,7 +287,7 @@ _NEGLIGIBLE = 1e-3
 def _active_range(
     deformed: Sequence[Side], threshold: float, scale: float
 ) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Ranges of x and y in which either surface has moved, over the scale, symmetric in y, within the grids."""
+    """Ranges of x and y in which either surface is deformed, over the scale, symmetric in y, within the grids."""
     extents = [extent(side.body.x, side.body.y, scale) for side in deformed]
     x_low, x_high, y_reach = np.inf, -np.inf, 0.0
     for side, edges in zip(deformed, extents, strict=True):
@@ -316,7 +318,7 @@ FIGURES: dict[str, Callable[..., Figure]] = {
 
 
 def suits(name: str, snapshot: Snapshot) -> bool:
-    """Whether a figure of `FIGURES` has something to draw: contact, what sticks and slips there, or heat."""
+    """Whether a figure of `FIGURES` has data in a state: contact, stick and slip, or heat."""
     if name == "stick-slip":
         return has_slip(snapshot) and not _is_one_row(snapshot.contact)
     if name == "friction-heat":

@@ -17,10 +17,22 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
+from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
+from brinell.plot.overlay import (
+    Entry,
+    Look,
+    entries,
+    evenly_chosen,
+    largest,
+    legend_beside,
+    of_runs,
+    require_scenario,
+    zero_line,
+)
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps, stick_slip_profiles
-from brinell.results import Run, Snapshot
+from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
+from brinell.plot.tangential import state_with_slip
+from brinell.results import Run
 
 __all__ = ["contact_heat", "contact_maps", "contact_profiles", "cycle_by_cycle", "force_loops", "fretting_course"]
 
@@ -32,7 +44,7 @@ _BOUND: Look = {"color": style.REFERENCE, "linestyle": "--", "linewidth": 0.9}
 
 
 def _cycles(run: Run) -> dict[int, tuple[FloatArray, FloatArray]]:
-    """Displacement [m] and force [N] of each cycle that has begun, from the middle on."""
+    """Displacement [m] and force [N] of each cycle that has begun, starting in the middle of the motion."""
     number = run.history["cycle"]
     columns = run.history["displacement"], run.history["force"]
     found = {}
@@ -54,19 +66,13 @@ def _friction(run: Run) -> float:
     return float(run.case("interface", "friction") or 0.0)
 
 
-def _thinned(handles: Sequence[Look]) -> list[Look]:
-    """At most so many of a family, evenly spaced, with its first and last member."""
-    chosen = np.unique(np.linspace(0, len(handles) - 1, min(_MOST_IN_LEGEND, len(handles))).round().astype(int))
-    return [handles[i] for i in chosen]
-
-
 @style.figure
 @of_runs
 def force_loops(runs: Sequence[Run]) -> Figure | None:
-    """Force over displacement: all cycles of a single run, the last cycle of each of several; dashed, friction's limit.
+    """Force over displacement: all cycles of a single run, the last cycle of each of several runs.
 
-    The limit of a run among several has the colour of its loop, or is grey where it is that of several runs. None if
-    nothing has moved.
+    The dashed line is the limit of friction. The limit of one run among several has the colour of its loop; a limit
+    that several runs share is grey. Returns None if nothing has moved.
     """
     shown = entries(runs, "fretting")
     lines = _loop_lines(shown)
@@ -86,7 +92,11 @@ def force_loops(runs: Sequence[Run]) -> Figure | None:
     handles = [look for _, _, look in lines]
     limit: Look = {**_BOUND, "label": r"friction $\times$ load"}
     if len(shown) == 1:
-        legend = [*_thinned(handles), limit] if len(handles) > 1 else [{**handles[0], "label": "cycle 1"}, limit]
+        legend = (
+            [*evenly_chosen(handles, _MOST_IN_LEGEND), limit]
+            if len(handles) > 1
+            else [{**handles[0], "label": "cycle 1"}, limit]
+        )
         legend_beside(ax, legend, title="cycle" if len(handles) > 1 else None)
     else:
         legend_beside(ax, [*handles, limit])
@@ -106,7 +116,7 @@ def _loop_lines(shown: Sequence[Entry]) -> list[tuple[FloatArray, FloatArray, Lo
 
 
 def _draw_limits(ax: Axes, shown: Sequence[Entry], force: Scale) -> None:
-    """Friction times load, at the largest load while the bodies move."""
+    """Draws friction times load, at the largest load while the bodies move."""
     limits = [_friction(entry.run) * _moving_load(entry.run) / force.size for entry in shown]
     for entry, limit in zip(shown, limits, strict=True):
         shared = len(shown) == 1 or sum(bool(np.isclose(limit, other, rtol=1e-3)) for other in limits) > 1
@@ -115,19 +125,11 @@ def _draw_limits(ax: Axes, shown: Sequence[Entry], force: Scale) -> None:
             ax.axhline(sign * limit, **_BOUND | {"color": colour}, zorder=0.6)
 
 
-def _state(run: Run, which: Which) -> Snapshot | None:
-    """A stored state with shears; None if there is none."""
-    if which == "aligned" and not run.steps:
-        return None
-    snapshot = run.snapshot(which)
-    return snapshot if has_slip(snapshot) else None
-
-
 @of_runs
 def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
-    """Pressure with the shear as arrows, what sticks, shear and slip over the contact, of a single run.
+    """Maps of the contact of a single run: pressure with shear as arrows, sticking area, shear and slip.
 
-    None of several runs, of plane strain, and if the state has no shear.
+    Returns None for several runs, for plane strain, and if the state has no shear.
 
     Args:
         runs: one.
@@ -135,7 +137,7 @@ def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool =
         cells: show each cell as a rectangle of one colour.
     """
     require_scenario(runs, "fretting")
-    snapshot = _state(runs[0], which) if len(runs) == 1 else None
+    snapshot = state_with_slip(runs[0], which) if len(runs) == 1 else None
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
     return stick_slip_maps(runs[0], snapshot, cells=cells)
@@ -143,9 +145,9 @@ def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool =
 
 @of_runs
 def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool = False) -> Figure | None:
-    """Energy that friction has dissipated per area since the start, with what sticks, of a single run.
+    """Energy of a single run that friction has dissipated per area since the start, with the sticking area.
 
-    None of several runs, and if the state has no heat of friction.
+    Returns None for several runs, and if the state has no heat of friction.
 
     Args:
         runs: one.
@@ -155,14 +157,14 @@ def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool
     require_scenario(runs, "fretting")
     if len(runs) > 1:
         return None
-    snapshot = _state(runs[0], _last_turn(runs[0]) if which is None else which)
+    snapshot = state_with_slip(runs[0], _last_turn(runs[0]) if which is None else which)
     if snapshot is None or not has_friction_heat(snapshot):
         return None
     return friction_heat_map(runs[0], snapshot, cells=cells)
 
 
 def _last_turn(run: Run) -> Which:
-    """The last stored step in which the motion is as far as it goes: there the least of the contact sticks."""
+    """The last stored step at the end of a half cycle, where the sticking area is smallest."""
     imposed = np.abs(run.history["force" if run.case("fretting", "force") is not None else "displacement"])
     at = dict(zip(run.history["step"].astype(int).tolist(), imposed.tolist(), strict=True))
     turns = [step for step in run.steps if at.get(step, 0.0) >= (1.0 - 1e-6) * imposed.max(initial=0.0) > 0.0]
@@ -173,13 +175,13 @@ def _last_turn(run: Run) -> Which:
 def contact_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 
-    None if no state has a shear.
+    Returns None if no state has a shear.
 
     Args:
         runs: one or several.
         which: number of a stored step; "aligned", the first turn; or "final".
     """
-    states = [(entry.run, _state(entry.run, which), entry.look) for entry in entries(runs, "fretting")]
+    states = [(entry.run, state_with_slip(entry.run, which), entry.look) for entry in entries(runs, "fretting")]
     loaded = [(run, snapshot, look) for run, snapshot, look in states if snapshot is not None]
     return stick_slip_profiles(loaded) if loaded else None
 
@@ -198,10 +200,10 @@ _OF_CYCLES: tuple[tuple[str, str, str, str], ...] = (
 @style.figure
 @of_runs
 def cycle_by_cycle(runs: Sequence[Run]) -> Figure | None:
-    """Heat of friction, plastic dissipation, largest force, slip amplitude, what sticks and plastic strain by cycle.
+    """Heat of friction, plastic dissipation, largest force, slip amplitude, sticking share, plastic strain by cycle.
 
-    None if no run has two cycles: the summary tells the numbers of one. Forces that are imposed stay what they are, and
-    the largest displacement stands in their place.
+    Under an imposed force the largest displacement is drawn in place of the force. Returns None if no run has two
+    cycles, because the numbers of a single cycle are in the summary.
     """
     shown = entries(runs, "fretting")
     if all(len(entry.run.cycles) < 2 for entry in shown):
@@ -234,9 +236,9 @@ def _draw_by_cycle(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: 
 @style.figure
 @of_runs
 def fretting_course(runs: Sequence[Run]) -> Figure:
-    """Over the steps: displacement, force between the limits of friction, energies, and approach or load.
+    """Displacement, force between the limits of friction, energies, and approach or load over the steps.
 
-    The load stands in place of the approach where that is imposed.
+    The load is drawn in place of an imposed approach.
     """
     shown = entries(runs, "fretting")
     imposed = all(entry.run.case("fretting", "approach") is not None for entry in shown)
@@ -277,7 +279,7 @@ def _draw_course(ax: Axes, shown: Sequence[Entry], column: str, name: str, symbo
 
 
 def _draw_energies(ax: Axes, shown: Sequence[Entry]) -> None:
-    """Heat of friction, and plastic dissipation in both bodies; of several runs in sum."""
+    """Draws heat of friction and plastic dissipation, of both bodies or, for several runs, their sum."""
     heat = [entry.run.history["dissipation_friction"] for entry in shown]
     plastic = [entry.run.history["dissipation_lower"] + entry.run.history["dissipation_upper"] for entry in shown]
     scale = si(largest([*heat, *plastic]), "J")
@@ -300,7 +302,7 @@ def _draw_energies(ax: Axes, shown: Sequence[Entry]) -> None:
 
 
 def _mark_cycles(ax: Axes, run: Run) -> None:
-    """Where a cycle begins."""
+    """Marks the beginnings of the cycles."""
     begins = np.flatnonzero(np.diff(run.history["cycle"]) > 0)
     if begins.size <= 20:
         for row in begins:

@@ -55,13 +55,13 @@ class Course:
         return len(self.passes) > 1
 
     def largest(self, *names: str) -> float:
-        """Of some columns [SI]."""
+        """Largest magnitude of some columns [SI]."""
         return max(
             (float(np.max(np.abs(one[name]))) for one in self.passes for name in names if name in one), default=0.0
         )
 
     def draw(self, ax: Axes, name: str, scale: Scale, label: str, look: Mapping[str, Any]) -> None:
-        """One quantity over all passes, the line broken between two; nothing if it is zero throughout."""
+        """Draws one quantity over all passes, with a gap between two passes; nothing if it is zero throughout."""
         if self.largest(name) == 0.0:
             return
         for index, (x, one) in enumerate(zip(self.x, self.passes, strict=True)):
@@ -69,7 +69,7 @@ class Course:
 
 
 def course_of(run: Run) -> Course:
-    """Over the steps; of a tugging over the sliding coordinate, or the distance slid in several passes."""
+    """The course over the steps; for tugging over the sliding coordinate, or the sliding distance in several passes."""
     passes = [run.history] if SCENARIOS[run.scenario].continuous else run.history.passes()
     scales = Scales(run)
     abscissa = SCENARIOS[run.scenario].abscissa
@@ -83,7 +83,7 @@ def course_of(run: Run) -> Course:
 
 
 def _distance_slid(passes: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-    """Since the start of the first pass [m]."""
+    """Sliding distance since the start of the first pass [m]."""
     result = []
     offset = 0.0
     for one in passes:
@@ -94,7 +94,7 @@ def _distance_slid(passes: list[NDArray[np.float64]]) -> list[NDArray[np.float64
 
 
 def _headroom(ax: Axes, factor: float) -> None:
-    """Room for a legend above the curves."""
+    """Makes room for a legend above the curves."""
     ax.set_ylim(top=factor * ax.get_ylim()[1])
 
 
@@ -104,7 +104,7 @@ def _legend(ax: Axes, **place: Any) -> None:
 
 
 def tangential_force_and_slopes(ax: Axes, course: Course) -> None:
-    """F_X of two slopes that pass each other, with and without pile-up, and the part of friction."""
+    """F_X of two slopes that pass each other, with and without pile-up, and its part due to friction."""
     force = course.scales.force(course.largest("F_X"))
     course.draw(ax, "F_X", force, "with pile-up", _LOWER)
     course.draw(ax, "F_X_macro", force, "without", _ASIDE)
@@ -117,7 +117,7 @@ def tangential_force_and_slopes(ax: Axes, course: Course) -> None:
 
 
 def force_across_and_slopes(ax: Axes, course: Course) -> None:
-    """F_Z likewise."""
+    """F_Z of two slopes that pass each other, with and without pile-up, and its part due to friction."""
     force = course.scales.force(course.largest("F_Z"))
     course.draw(ax, "F_Z", force, "with pile-up", _LOWER)
     course.draw(ax, "F_Z_macro", force, "without", _ASIDE)
@@ -127,7 +127,7 @@ def force_across_and_slopes(ax: Axes, course: Course) -> None:
 
 
 def resistance_to_rolling(ax: Axes, course: Course) -> None:
-    """F_X, and the part of friction."""
+    """F_X and its part due to friction."""
     force = course.scales.force(course.largest("F_X", "F_friction"))
     course.draw(ax, "F_X", force, "resistance", _LOWER)
     if course.largest("F_friction") > 0.0:
@@ -152,7 +152,7 @@ def resistance_to_sliding(ax: Axes, course: Course) -> None:
 
 
 def force_along_surface(ax: Axes, course: Course) -> None:
-    """The force that moves a body to and fro, and the sum of the shear's sizes, which friction bounds."""
+    """The force that moves a body to and fro, and the sum of the magnitudes of shear, which friction limits."""
     force = course.scales.force(course.largest("force", "F_friction"))
     course.draw(ax, "force", force, "along the motion", _LOWER)
     course.draw(ax, "F_friction", force, "sum of the shear", _ASIDE)
@@ -164,7 +164,7 @@ def force_along_surface(ax: Axes, course: Course) -> None:
 
 
 def shares_of_contact(ax: Axes, course: Course) -> None:
-    """What sticks, and where the surface carries no more shear."""
+    """Shares of the contact that stick, and that have reached the shear limit of the surface."""
     course.draw(ax, "stick_share", PERCENT, "sticks", _LOWER)
     course.draw(ax, "share_at_shear_limit", PERCENT, "at the shear limit", _UPPER)
     ax.set_title("share of the contact")
@@ -175,7 +175,7 @@ def shares_of_contact(ax: Axes, course: Course) -> None:
 
 
 def normal_force(ax: Axes, course: Course) -> None:
-    """F_n."""
+    """The normal force F_n."""
     force = course.scales.force(course.largest("F_n"))
     course.draw(ax, "F_n", force, "load", _LOWER)
     ax.set_title("normal force")
@@ -184,7 +184,7 @@ def normal_force(ax: Axes, course: Course) -> None:
 
 
 def approach(ax: Axes, course: Course) -> None:
-    """How far the bodies approach."""
+    """The approach of the bodies."""
     depth = course.scales.displacement(course.largest("approach"))
     course.draw(ax, "approach", depth, "approach", _LOWER)
     ax.set_title("approach")
@@ -243,9 +243,9 @@ _COMMON: tuple[Panel, ...] = (_energy, _pressure, _residual_depth, _cost)
 
 @style.figure
 def run_history(run: Run) -> Figure:
-    """Six panels over the steps; of a tugging over the sliding coordinate, or the distance slid in several passes.
+    """Six panels over the steps; for tugging over the sliding coordinate, or the sliding distance in several passes.
 
-    Works for a run that has not finished: the axes are then in SI.
+    For an unfinished run the axes are in SI.
     """
     course, traits = course_of(run), SCENARIOS[run.scenario]
     panels = (*traits.panels(), *_COMMON)

@@ -31,7 +31,7 @@ _CELLS: Look = {"marker": "o", "markersize": 2.5}  # shows how fine the grid is
 
 @dataclass(frozen=True, eq=False)
 class _Line:
-    """Load over approach, SI."""
+    """Load over approach in SI."""
 
     depth: FloatArray
     load: FloatArray
@@ -39,13 +39,13 @@ class _Line:
 
 
 def _touches_at_zero(run: Run) -> bool:
-    """Whether the first contact is at depth 0: textures shift it."""
+    """Whether the bodies first touch at depth 0; textures shift this depth."""
     textures = [run.case(body, "texture") for body in ("lower", "upper")]
     return all(isinstance(texture, dict) and texture["type"] == "smooth" for texture in textures)
 
 
 def _curve(run: Run, rows: History, *, is_first: bool) -> tuple[FloatArray, FloatArray]:
-    """Depth [m] and load [N] at one place, cycle after cycle, from the touch on where it is known."""
+    """Depth [m] and load [N] at one place, cycle after cycle; from first touch if it is known."""
     depth, load = rows["approach"], rows["F_n"]
     if is_first and _touches_at_zero(run):
         return np.concatenate([[0.0], depth]), np.concatenate([[0.0], load])
@@ -53,7 +53,7 @@ def _curve(run: Run, rows: History, *, is_first: bool) -> tuple[FloatArray, Floa
 
 
 def _load_lines(entry: Entry, *, alone: bool) -> list[_Line]:
-    """One line per place; a run that is alone names its places, several runs have a look each."""
+    """One line per place; a single run has a label for each place, several runs have a look each."""
     places = entry.run.history.split("place")
     each = [{**entry.look, "linestyle": "-"}] * len(places)  # cycles on each other would fill the gaps of a dash
     if alone and len(places) > 1:
@@ -99,9 +99,9 @@ def _hertz_line(runs: Sequence[Run], load: float) -> _Line | None:
 @style.figure
 @of_runs
 def load_depth(runs: Sequence[Run]) -> Figure:
-    """Load over approach, loading and unloading of all cycles; elastic spheres or cylinders dashed.
+    """Load over approach in loading and unloading of all cycles; elastic spheres or cylinders are dashed.
 
-    Where first yield exists and is the same for all runs, second axes give both over its values.
+    If first yield exists and is the same for all runs, second axes show both normalised by it.
     """
     shown = entries(runs, "indentation")
     lines = [line for entry in shown for line in _load_lines(entry, alone=len(shown) == 1)]
@@ -142,13 +142,13 @@ class _Imprint:
 
     @property
     def along_y(self) -> FloatArray:
-        """Between two columns of cells: linear."""
+        """Profile on x = 0, linear between two columns of cells."""
         rows = -self.body.residual_displacement
         return np.array([np.interp(self.place, self.body.x, row) for row in rows])
 
 
 def _imprints(shown: Sequence[Entry]) -> list[_Imprint]:
-    """Of the runs whose lower body has yielded."""
+    """Imprints of the runs whose lower body has yielded."""
     result = []
     for entry in shown:
         body = entry.run.snapshot("final").lower
@@ -158,7 +158,7 @@ def _imprints(shown: Sequence[Entry]) -> list[_Imprint]:
 
 
 def _reach(x: FloatArray, height: FloatArray) -> tuple[float, float]:
-    """Where a profile is more than a fiftieth of its largest height or depth, with a margin, within the grid [m]."""
+    """Range where a profile exceeds a fiftieth of its largest height or depth, with a margin, within the grid [m]."""
     moved = x[np.abs(height) > 0.02 * np.abs(height).max(initial=0.0)]
     if moved.size == 0:
         return float(x[0]), float(x[-1])
@@ -171,7 +171,7 @@ def _reach(x: FloatArray, height: FloatArray) -> tuple[float, float]:
 def imprint(runs: Sequence[Run]) -> Figure | None:
     """Residual surface of the lower body along x and y through the first place; below, its pile-up enlarged.
 
-    None if no lower body has yielded.
+    Returns None if no lower body has yielded.
     """
     imprints = _imprints(entries(runs, "indentation"))
     if not imprints:
@@ -221,7 +221,7 @@ def _cut(imprints: Sequence[_Imprint]) -> str:
 def contact_pressure(runs: Sequence[Run]) -> Figure | None:
     """Contact pressure along x' and y' through the middle of the contact, at the largest load that is stored.
 
-    None if no run has stored a loaded state.
+    Returns None if no run has stored a loaded state.
     """
     states = [(e, e.run.snapshot("aligned")) for e in entries(runs, "indentation") if e.run.steps]
     loaded = [(entry, snapshot) for entry, snapshot in states if snapshot.in_contact]

@@ -22,6 +22,7 @@ __all__ = [
     "HasRuns",
     "Look",
     "entries",
+    "evenly_chosen",
     "largest",
     "legend_beside",
     "looks",
@@ -42,7 +43,7 @@ _DASHES: tuple[Any, ...] = ("-", (0, (4, 2)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """One result and how its curves look."""
+    """One result and the look of its curves."""
 
     run: Run
     label: str
@@ -54,13 +55,13 @@ class HasRuns(Protocol):
 
     @property
     def runs(self) -> Mapping[int, Run]:
-        """Those that have finished."""
+        """Runs that have finished."""
 
 
 def of_runs(
     draw: Callable[Concatenate[Sequence[Run], _P], _R],
 ) -> Callable[Concatenate[Run | Sequence[Run] | HasRuns, _P], _R]:
-    """Lets a figure of several runs be one of a single run, or of all runs of a sweep, too."""
+    """Decorator with which a figure of several runs also accepts a single run, or a sweep with all its runs."""
 
     @functools.wraps(draw)
     def drawn(runs: Run | Sequence[Run] | HasRuns, /, *args: _P.args, **options: _P.kwargs) -> _R:
@@ -73,7 +74,7 @@ def of_runs(
 
 
 def require_scenario(runs: Sequence[Run], scenario: Scenario) -> None:
-    """Checks what a figure is given.
+    """Checks that all runs are of one scenario.
 
     Raises:
         RunError: a run is of another scenario.
@@ -99,7 +100,7 @@ def entries(runs: Sequence[Run], scenario: Scenario) -> list[Entry]:
 
 
 def looks(labels: Sequence[str]) -> list[Look]:
-    """Looks that can be told apart in colour and in grey."""
+    """Looks that differ in colour and in grey."""
     return [
         {
             "label": label,
@@ -111,7 +112,7 @@ def looks(labels: Sequence[str]) -> list[Look]:
 
 
 def _labels(runs: Sequence[Run]) -> list[str]:
-    """Titles if they tell the runs apart, else folders, else whole paths."""
+    """Titles if they distinguish the runs, else folders, else whole paths."""
     for labels in ([run.title for run in runs], [run.path.name if run.memory is None else "" for run in runs]):
         if all(labels) and len(set(labels)) == len(runs):
             return labels
@@ -134,11 +135,17 @@ def legend_beside(ax: Axes, handles: Sequence[Look], title: str | None = None) -
     )
 
 
+def evenly_chosen(handles: Sequence[Look], most: int) -> list[Look]:
+    """At most so many entries of a legend, evenly spaced, with the first and the last one."""
+    chosen = np.unique(np.linspace(0, len(handles) - 1, min(most, len(handles))).round().astype(int))
+    return [handles[i] for i in chosen]
+
+
 def largest(arrays: Iterable[ArrayLike]) -> float:
     """Largest magnitude of the values; 0 if there are none."""
     return max((float(np.abs(a).max(initial=0.0)) for a in map(np.asarray, arrays)), default=0.0)
 
 
 def zero_line(ax: Axes) -> None:
-    """The level 0, behind the curves."""
+    """Draws the level 0 behind the curves."""
     ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0.5)

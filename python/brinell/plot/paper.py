@@ -48,7 +48,7 @@ class _Curve:
 
 
 def _curves(runs: Sequence[Run]) -> list[_Curve]:
-    """Sorts by interference, labels and colours; runs of equal interference also get the name of their folder."""
+    """Curves sorted by interference, with labels and colours; runs of equal interference are also named by folder."""
     require_scenario(runs, "tugging")
     ordered = sorted(runs, key=lambda run: run.normalised_interference)
     labels = [style.number(run.normalised_interference) for run in ordered]
@@ -68,7 +68,7 @@ def _curves(runs: Sequence[Run]) -> list[_Curve]:
 
 
 def _elastic(curve: _Curve) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """X/R, F_X/P_c, F_Z/P_c of the elastic bodies, over their contact."""
+    """X/R, F_X/P_c and F_Z/P_c of elastic bodies while they touch."""
     run = curve.run
     geometry = (run.lower_radius, run.upper_radius, run.interference)
     reach = reference.elastic_tugging_reach(*geometry)
@@ -78,7 +78,7 @@ def _elastic(curve: _Curve) -> tuple[NDArray[np.float64], NDArray[np.float64], N
 
 
 def _common(values: Sequence[float], symbol: str, unit: str) -> str:
-    """What a scale is worth, as a note for an axis label; empty if the runs do not agree on it."""
+    """Value of a scale as a note for an axis label; empty if it differs between the runs."""
     texts = {style.quantity(value, unit) for value in values}
     return f"    ({symbol} = {texts.pop()})" if len(texts) == 1 else ""
 
@@ -104,7 +104,7 @@ def _interference_axis(ax: Axes, curves: Sequence[_Curve]) -> None:
 
 
 def _family_handles(curves: Sequence[_Curve]) -> list[Line2D]:
-    """Largest interference first, as the curves lie over each other; then the dashed reference."""
+    """Entries of the legend, largest interference first, in the order of the curves; then the dashed reference."""
     handles = [Line2D([], [], color=c.colour, marker="o", label=c.label) for c in reversed(curves)]
     handles.append(Line2D([], [], color=style.REFERENCE, linestyle="--", linewidth=0.9, label="elastic (Hertz)"))
     return handles
@@ -225,7 +225,7 @@ def _draw_fig14(ax: Axes, curves: Sequence[_Curve]) -> None:
 
 
 def _are_spheres(curves: Sequence[_Curve]) -> bool:
-    """Whether the paper speaks of such bodies."""
+    """Whether the bodies are spheres, as in the paper."""
     return all(curve.run.line_reference is None for curve in curves)
 
 
@@ -304,9 +304,9 @@ def fig12(runs: Sequence[Run]) -> Figure:
 @style.figure
 @of_runs
 def fig13(runs: Sequence[Run]) -> Figure:
-    """Net energy over U_c against alpha*, one point per run, and the energy that the bodies keep or dissipate.
+    """Net energy over U_c against alpha*, one point per run, and the energy that the bodies store or dissipate.
 
-    The two agree where the energy balance closes.
+    Both agree if the energy balance closes.
     """
     curves = _curves(runs)
     fig = style.new_figure(5.2, 3.9)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sliding: the patches of the contact, how many there are and how large, and where."""
+"""Sliding: number, size and place of the patches of the contact."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ FloatArray = NDArray[np.float64]
 @style.figure
 @of_runs
 def contact_patches(runs: Sequence[Run]) -> Figure | None:
-    """Over the way slid: the number of patches, and the area of the largest (dotted: their mean).
+    """Over the sliding distance: number of patches, and area of the largest one (dotted: their mean).
 
-    Of one run also where they are in the last stored state that slides, and which share of them is larger than an area,
-    there and in the first one.
+    For a single run also the patches in the last stored state that slides, and the share of patches larger than an area
+    in the first and last such state.
 
     Returns:
         None if nothing has slid, or the results are from before patches were counted.
@@ -125,7 +125,7 @@ def _draw_sizes(ax: Axes, run: Run, states: Sequence[tuple[int, Patches]]) -> No
 
 
 def _plain_ticks(axis: Axis) -> None:
-    """Numbers without powers on an axis over a decade or two."""
+    """Labels an axis over a decade or two by numbers without powers of ten."""
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: style.number(value)))
     axis.set_minor_formatter(NullFormatter())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes through a body: how they are written, and cell values on them."""
+"""Planes through a body: their notation, and cell values on them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Plane:
 
 
 def plane_of(written: Plane | str | tuple[str, float]) -> Plane:
-    """The plane that a user means.
+    """The plane of a notation.
 
     Args:
         written: "y=0", "x = 0.1 mm", "z = 20 um" (a bare number is in metres), or the pair ("z", 2e-5).

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pressure that travels, as a moving picture."""
+"""The pressure of the moving contact as an animation."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Frame:
-    """One stored state, as far as it is drawn."""
+    """One stored state with the fields that are drawn."""
 
     title: str
     x: FloatArray

@@ -36,7 +36,7 @@ class Quantity:
     """Of a tensor: xx ... xy; empty for an equivalent value, which is never negative."""
 
     def values(self, body: BodyFields) -> FloatArray | None:
-        """SI, [z][y][x]; None if the body has none stored."""
+        """Values in SI, [z][y][x]; None if the body has no such field."""
         if self.kind == "temperature":
             found = body.temperature
         elif self.component:
@@ -46,16 +46,16 @@ class Quantity:
         return found if found is not None and found.size else None
 
     def title_in(self, *, in_contact: bool) -> str:
-        """What remains after unloading is residual stress."""
+        """Title in a state; stress after unloading is residual stress."""
         is_residual = self.kind == "stress" and not in_contact
         return f"Residual {self.title[0].lower()}{self.title[1:]}" if is_residual else self.title
 
     def scale(self, scales: Scales, largest: float) -> Scale:
-        """What it is drawn over."""
+        """The scale of the field."""
         return DEGREES if self.kind == "temperature" else scales.stress(largest) if self.kind == "stress" else PERCENT
 
     def colours(self, lowest: float, highest: float) -> tuple[str, Normalize]:
-        """Colour map and range: from 0 up, or as far to both sides of 0; of temperatures from the lowest one up."""
+        """Colour map and range: from 0, or symmetric about 0; for temperatures from the lowest one."""
         if self.kind == "temperature":
             return style.TEMPERATURE_MAP, Normalize(lowest, highest if highest > lowest else lowest + 1.0)
         if not self.component:
@@ -92,5 +92,5 @@ def quantity_of(name: str) -> Quantity:
 
 
 def needs_tensors(quantities: Sequence[Quantity]) -> bool:
-    """Whether components have to be read for any of them."""
+    """Whether one of the fields needs components of a tensor."""
     return any(quantity.component for quantity in quantities)

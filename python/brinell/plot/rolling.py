@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rolling: what each pass leaves, residual stress and strain in depth, the track across, and the forces along it.
+"""Rolling: deformation by pass, residual stress and strain over depth, cross section of the track, forces along it.
 
 SI with prefixes throughout. Heights are out of the lower body: shoulders positive. F_X is the resistance: positive
 where the drive must push. Stresses are positive in tension.
@@ -18,9 +18,21 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre
-from brinell.plot.overlay import Entry, Look, entries, largest, legend_beside, of_runs, require_scenario, zero_line
+from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
+from brinell.plot.overlay import (
+    Entry,
+    Look,
+    entries,
+    evenly_chosen,
+    largest,
+    legend_beside,
+    of_runs,
+    require_scenario,
+    zero_line,
+)
 from brinell.plot.scales import PERCENT, Scale, si
-from brinell.plot.slip import friction_heat_map, has_friction_heat, has_slip, stick_slip_maps, stick_slip_profiles
+from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
+from brinell.plot.tangential import state_with_slip
 from brinell.results import BodyFields, History, Run, Snapshot
 
 __all__ = [
@@ -61,7 +73,7 @@ _FALLING = ("track_plastic_increment", "dissipation")  # towards shakedown: over
 @style.figure
 @of_runs
 def pass_by_pass(runs: Sequence[Run]) -> Figure | None:
-    """Pass by pass: rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation.
+    """Rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation by pass.
 
     Growth and dissipation have a logarithmic axis if they fall by more than a factor of a hundred.
 
@@ -105,7 +117,7 @@ def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: s
 def depth_profiles(runs: Sequence[Run]) -> Figure | None:
     """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track.
 
-    None if no lower body has yielded.
+    Returns None if no lower body has yielded.
     """
     shown = entries(runs, "rolling")
     if not any(np.any(entry.run.profile.equivalent_plastic_strain) for entry in shown):
@@ -144,7 +156,7 @@ def _across(body: BodyFields) -> FloatArray:
 def track_profile(runs: Sequence[Run]) -> Figure | None:
     """Residual surface of the lower body across the track at x = 0, after the last pass.
 
-    None if no lower body has yielded, and in plane strain, where nothing varies across the track.
+    Returns None if no lower body has yielded, and for plane strain, where nothing varies across the track.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
     deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and np.any(body.residual_displacement)]
@@ -197,18 +209,12 @@ def _first_and_last(entry: Entry) -> list[tuple[History, Look]]:
     return lines
 
 
-def _some(handles: Sequence[Look], most: int = 8) -> list[Look]:
-    """At most so many of a family, evenly spaced, with its first and last member."""
-    chosen = np.unique(np.linspace(0, len(handles) - 1, min(most, len(handles))).round().astype(int))
-    return [handles[i] for i in chosen]
-
-
 @style.figure
 @of_runs
 def along_track(runs: Sequence[Run]) -> Figure:
-    """Resistance F_X and approach along the track, pass by pass; the load where the approach is imposed.
+    """Resistance F_X and approach along the track by pass; the load is drawn in place of an imposed approach.
 
-    With sliding under a load the friction F_X/F_n stands for the resistance, and the area of contact beside it. A
+    With sliding under a load the friction F_X/F_n is drawn in place of the resistance, with the area of contact. A
     single run shows all passes; of several runs the first and the last are drawn.
     """
     shown = entries(runs, "rolling")
@@ -232,7 +238,7 @@ def along_track(runs: Sequence[Run]) -> Figure:
     axes[-1].margins(x=0.02)
     handles = [look for _, look in lines]
     if len(shown) == 1:
-        legend_beside(axes[0], _some(handles), title="pass")
+        legend_beside(axes[0], evenly_chosen(handles, 8), title="pass")
     else:
         legend_beside(axes[0], handles)
     return fig
@@ -243,7 +249,7 @@ _OF_SLIDING = (("friction", "friction", "F_X/F_n", "1"), ("contact_area", "area 
 
 
 def _all_slide(shown: Sequence[Entry]) -> bool:
-    """Whether the surfaces have different speeds in each run; those of older versions have no friction to draw."""
+    """Whether the surfaces have different speeds in each run; results of older versions have no friction."""
     return all(entry.run.case("rolling", "slide_to_roll") and "friction" in entry.run.history for entry in shown)
 
 
@@ -287,9 +293,9 @@ def _distance_rolled(part: History) -> FloatArray:
 @style.figure
 @of_runs
 def creep_forces(runs: Sequence[Run]) -> Figure | None:
-    """Forces, moment and share that sticks over the distance rolled in each pass: the way from rest to steady rolling.
+    """Forces, moment and sticking share over the distance rolled in each pass, from rest to steady rolling.
 
-    A force that is never more than a thousandth of friction times load has no panel. None without creepage.
+    A force that is never more than a thousandth of friction times load has no panel. Returns None without creepage.
     """
     shown = [entry for entry in entries(runs, "rolling") if creeps(entry.run)]
     if not shown:
@@ -318,23 +324,25 @@ def creep_forces(runs: Sequence[Run]) -> Figure | None:
     axes[-1].set_xlabel(length.label("distance rolled", "s"))
     axes[-1].margins(x=0.02)
     handles = [look for _, look, _ in lines]
-    legend_beside(axes[0], _some(handles), title="pass" if len(shown) == 1 else None)
+    legend_beside(axes[0], evenly_chosen(handles, 8), title="pass" if len(shown) == 1 else None)
     return fig
 
 
 def _state(run: Run, which: Which) -> Snapshot | None:
     """A stored state with stick and slip; None if there is none."""
-    if not creeps(run) or (which == "aligned" and not run.steps):
-        return None
-    snapshot = run.snapshot(which)
-    return snapshot if has_slip(snapshot) else None
+    return state_with_slip(run, which) if creeps(run) else None
+
+
+def _only_state(runs: Sequence[Run], which: Which) -> Snapshot | None:
+    """The state of a single run; None of several runs."""
+    return _state(runs[0], which) if len(runs) == 1 else None
 
 
 @of_runs
 def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
-    """Pressure with the shear as arrows, what sticks, shear and slip over the contact, of a single run.
+    """Maps of the contact of a single run: pressure with shear as arrows, sticking area, shear and slip.
 
-    None of several runs, of plane strain, and without creepage.
+    Returns None for several runs, for plane strain, and without creepage.
 
     Args:
         runs: one.
@@ -342,7 +350,7 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
         cells: show each cell as a rectangle of one colour.
     """
     require_scenario(runs, "rolling")
-    snapshot = _state(runs[0], which) if len(runs) == 1 else None
+    snapshot = _only_state(runs, which)
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
     return stick_slip_maps(runs[0], snapshot, cells=cells)
@@ -350,9 +358,9 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
 
 @of_runs
 def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
-    """Energy that friction has dissipated per area since each place came under the contact, with what sticks.
+    """Energy that friction has dissipated per area since each place came under the contact, with the sticking area.
 
-    Of a single run; None of several, and without creepage.
+    Returns None for several runs, and without creepage.
 
     Args:
         runs: one.
@@ -360,7 +368,7 @@ def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
         cells: show each cell as a rectangle of one colour.
     """
     require_scenario(runs, "rolling")
-    snapshot = _state(runs[0], which) if len(runs) == 1 else None
+    snapshot = _only_state(runs, which)
     if snapshot is None or not has_friction_heat(snapshot):
         return None
     return friction_heat_map(runs[0], snapshot, cells=cells)
@@ -370,7 +378,7 @@ def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
 def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 
-    None without creepage.
+    Returns None without creepage.
 
     Args:
         runs: one or several.

@@ -35,7 +35,7 @@ SUMMITS = math.sqrt(2.0 * math.pi)
 
 @dataclass(frozen=True, eq=False)
 class _Closing:
-    """The states under pressure of one run."""
+    """The states of one run that are under pressure."""
 
     entry: Entry
     pressure: FloatArray
@@ -48,7 +48,7 @@ class _Closing:
 
 
 def _closing(entry: Entry) -> _Closing | None:
-    """None unless the run has a period."""
+    """These states; None if the run has no period."""
     history = entry.run.history
     if "contact_fraction" not in history or np.all(np.isnan(history["contact_fraction"])):
         return None
@@ -69,7 +69,7 @@ _DECADE = 10.0
 
 
 def _draw(ax: Axes, pressure: FloatArray, values: FloatArray, look: Mapping[str, Any]) -> bool:
-    """The history as a line, with that of falling pressure thin and broken; whether there is any."""
+    """Draws the history as a line; falling pressure is thin and dashed. Returns whether there is any."""
     falls = np.diff(pressure) < 0.0
     unloading = np.concatenate([[False], falls]) | np.concatenate([falls, [False]])
     loading = np.concatenate([[True], ~falls]) | np.concatenate([~falls, [False]])
@@ -84,7 +84,7 @@ def _draw(ax: Axes, pressure: FloatArray, values: FloatArray, look: Mapping[str,
 def contact_fraction(runs: Sequence[Run]) -> Figure | None:
     """Real contact area over the nominal one, and mean gap, over the mean pressure on the period.
 
-    None if no run is one of surfaces that are periodic along both axes.
+    Returns None if no run has surfaces that are periodic along both axes.
     """
     closings = [one for one in map(_closing, entries(runs, "indentation")) if one is not None]
     if not closings:

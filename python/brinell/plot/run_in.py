@@ -48,7 +48,7 @@ def surfaces_before_and_after(runs: Sequence[Run]) -> Figure | None:
 
 
 def _rows(run: Run) -> list[tuple[str, BodyFields, FloatArray, FloatArray]]:
-    """Bodies with a texture, their heights before and after."""
+    """Bodies with a texture, and their heights before and after."""
     final = run.snapshot("final")
     found = []
     for name, body in (("lower", final.lower), ("upper", final.upper)):
@@ -88,7 +88,7 @@ def _draw_maps(
 
 
 def _draw_curves(ax: Axes, body: BodyFields, before: FloatArray, after: FloatArray) -> None:
-    """Heights count from the mean before, so that what yields or wears shows as lower."""
+    """Draws the bearing-area curves; heights count from the mean before, so that plastic flow and wear lower them."""
     height = si(float(np.abs(before - before.mean()).max()), "m")
     for values, label, color, dash in (
         (before, "before", style.REFERENCE, (0, (4, 2))),

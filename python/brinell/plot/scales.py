@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a quantity is divided by before it is drawn, and how its axis says so.
+"""Scales by which quantities are divided in figures, and the labels of their axes.
 
-A complete run with a body that yields is drawn over its values at first yield, which the label gives in SI. Where these
-do not exist (an elastic pair, a pyramid, a run that has not finished), and within `in_si`, the axis is in SI.
+A complete run with a body that yields is drawn in units of its values at first yield, which the label gives in SI. If
+these do not exist (elastic bodies, a pyramid, an unfinished run), and within `in_si`, the axis is in SI.
 """
 
 from __future__ import annotations
@@ -38,12 +38,11 @@ _IN_SI: ContextVar[bool] = ContextVar("in_si", default=False)
 
 @contextlib.contextmanager
 def in_si() -> Iterator[None]:
-    """Within it figures are drawn in SI, µm and MPa, also where values at first yield exist.
+    """Context in which figures are drawn in SI, µm and MPa, even if values at first yield exist.
 
     Example:
         >>> with brinell.plot.in_si():
         ...     figure = brinell.plot.section(run, run.snapshot("aligned"))
-
     """
     token = _IN_SI.set(True)
     try:
@@ -59,7 +58,7 @@ def draws_si() -> bool:
 
 @dataclass(frozen=True)
 class Scale:
-    """A divisor and the words around it."""
+    """A divisor and the texts for its axis."""
 
     size: float
     """What to divide the SI value by."""
@@ -69,7 +68,7 @@ class Scale:
     """SI unit with its prefix, or that of the divisor without."""
 
     def label(self, name: str, symbol: str, *, value: bool = True) -> str:
-        """Axis label: the quantity over its scale and what the scale is worth, or the quantity and its unit.
+        """Axis label: the quantity over its scale and the value of the scale, or the quantity and its unit.
 
         Args:
             name: in words; may be empty.
@@ -119,7 +118,7 @@ def si(largest: float, unit: str) -> Scale:
 
 
 def area_scale(largest: float) -> Scale:
-    """SI for areas up to that [m^2]: a prefix would count twice."""
+    """SI for areas up to a value [m^2], without a prefix, which would apply to the length and not to the area."""
     return Scale(1e-12, "", "µm²") if largest < 1e-7 else Scale(1e-6, "", "mm²")
 
 
@@ -137,35 +136,35 @@ class Scales:
         return self._critical is not None
 
     def radius(self, largest: float) -> Scale:
-        """Of the abscissa of the history, if it is a length: the equivalent radius R."""
+        """Scale of an abscissa of the history that is a length: the equivalent radius R."""
         return Scale(self._radius, "R", "m") if self._radius is not None else si(largest, "m")
 
     def length(self, largest: float) -> Scale:
-        """Of lengths along the surface and depths under it: a_c, of cylinders the half-width."""
+        """Scale of lengths along the surface and of depths: a_c, for cylinders the half-width."""
         return Scale(self._critical.contact_radius, "a_c", "m") if self._critical else si(largest, "m")
 
     def displacement(self, largest: float) -> Scale:
-        """Of displacements: alpha_c."""
+        """Scale of displacements: alpha_c."""
         return Scale(self._critical.interference, r"\alpha_c", "m") if self._critical else si(largest, "m")
 
     def pressure(self, largest: float) -> Scale:
-        """Of contact pressures: the peak pressure at first yield, p0_c."""
+        """Scale of contact pressures: the peak pressure at first yield, p0_c."""
         return Scale(self._critical.peak_pressure, r"p_{0,c}", "Pa") if self._critical else si(largest, "Pa")
 
     def stress(self, largest: float) -> Scale:
-        """Of stresses: the yield stress S_y."""
+        """Scale of stresses: the yield stress S_y."""
         return Scale(self._critical.yield_stress, "S_y", "Pa") if self._critical else si(largest, "Pa")
 
     def force(self, largest: float) -> Scale:
-        """Of forces: P_c."""
+        """Scale of forces: P_c."""
         return Scale(self._critical.load, "P_c", "N") if self._critical else si(largest, "N")
 
     def energy(self, largest: float) -> Scale:
-        """Of energies: U_c."""
+        """Scale of energies: U_c."""
         return Scale(self._critical.energy, "U_c", "J") if self._critical else si(largest, "J")
 
     def area(self, largest: float) -> Scale:
-        """Of contact areas: A_c."""
+        """Scale of contact areas: A_c."""
         if self._critical:
             return Scale(self._critical.contact_area, "A_c", "m²")
         return Scale(1e-6, "", "mm²") if largest < 1.0 else Scale(1.0, "", "m²")

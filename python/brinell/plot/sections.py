@@ -78,7 +78,7 @@ def section(
 
 
 def _with_content(bodies: list[Side], names: Sequence[str]) -> list[Side]:
-    """The bodies with something to show: an elastic one that is unloaded may have its temperature alone."""
+    """The bodies with values to show; an unloaded elastic body may have only its temperature."""
 
     def has_content(side: Side) -> bool:
         if "temperature" in names and side.body.temperature is not None:
@@ -92,7 +92,7 @@ def _with_content(bodies: list[Side], names: Sequence[str]) -> list[Side]:
 def _upright(
     run: Run, snapshot: Snapshot, panels: Sequence[Panel], window: Window, plane: Plane, interpolation: str
 ) -> Figure:
-    """A plane normal to the surface: one picture per field. Flat ones stand one above the other, tall ones in a row."""
+    """Figure of a plane normal to the surface, with a panel per field: wide panels in a column, tall ones in a row."""
     length = _length(run, panels)
     bodies = max(len(panel.cuts) for panel in panels)
     stacked = window.shape < 0.7
@@ -116,7 +116,7 @@ def _upright(
 def _level(
     run: Run, snapshot: Snapshot, panels: Sequence[Panel], window: Window, plane: Plane, interpolation: str
 ) -> Figure:
-    """A plane at a depth: a row of pictures per body, a column per field."""
+    """Figure of a plane at a depth: a row of panels per body, a column per field."""
     length = _length(run, panels)
     bodies = max(len(panel.cuts) for panel in panels)
     names = list(dict.fromkeys(cut.side.name for panel in panels for cut in panel.cuts))
@@ -144,12 +144,12 @@ def _level(
 
 
 def _length(run: Run, panels: Sequence[Panel]) -> Scale:
-    """Of both axes."""
+    """Scale of both axes."""
     return Scales(run).length(max(float(np.abs(cut.across).max()) for panel in panels for cut in panel.cuts))
 
 
 def across_label(length: Scale, plane: Plane, *, from_contact: bool, bodies: int) -> str:
-    """Of the axis from left to right, of so many bodies."""
+    """Label of the horizontal axis, for a number of bodies."""
     if plane.axis == "x":
         return length.label("across", "y'" if from_contact else "y")
     if from_contact:
@@ -158,14 +158,14 @@ def across_label(length: Scale, plane: Plane, *, from_contact: bool, bodies: int
 
 
 def name_contact_axes(ax: Axes, length: Scale, snapshot: Snapshot) -> None:
-    """Of a map of the contact."""
+    """Labels the axes of a map of the contact."""
     moves = SCENARIOS[snapshot.scenario].motion is not None
     ax.set_xlabel(length.label("along the motion" if moves else "", "x'"))
     ax.set_ylabel(length.label("across" if moves else "", "y'", value=False))
 
 
 def draw_panel(ax: Axes, panel: Panel, window: Window, length: float, interpolation: str) -> list[AxesImage]:
-    """The bodies on a plane, with the colour bar and the title; a picture per body."""
+    """Draws the bodies on a plane with colour bar and title; a panel per body."""
     images = _draw_cuts(ax, panel, panel.cuts, length, interpolation)
     ax.set_title(panel.title)
     _colour_bar(ax, panel, below=window.shape < _FLAT)
@@ -190,14 +190,14 @@ def _draw_cuts(ax: Axes, panel: Panel, cuts: Sequence[Cut], length: float, inter
 
 
 def _colour_bar(ax: Axes | Sequence[Axes], panel: Panel, *, below: bool) -> None:
-    """Beside the axes, or below those that are too flat for its label."""
+    """Draws the colour bar beside the axes, or below axes that are too flat for its label."""
     first = ax if isinstance(ax, Axes) else ax[0]
     place: dict[str, Any] = {"location": "bottom", "aspect": 40.0, "shrink": 0.7} if below else {"pad": 0.02}
     first.figure.colorbar(ScalarMappable(panel.norm, panel.colour_map), ax=ax, label=panel.label, **place)
 
 
 def upright_axes(ax: Axes, snapshot: Snapshot, panel: Panel, window: Window, length: float) -> None:
-    """Limits, depth counted from the middle, names of the bodies."""
+    """Sets limits, ticks of the depth counted from the middle, and the names of the bodies."""
     ax.set_xlim(*(edge / length for edge in window.across))
     ax.set_ylim(*(edge / length for edge in window.upward))
     ax.axhline(0.0, color="white", linewidth=0.8)
@@ -213,13 +213,13 @@ def upright_axes(ax: Axes, snapshot: Snapshot, panel: Panel, window: Window, len
 
 
 def _name_body(ax: Axes, name: str, height: float, anchor: str) -> None:
-    """White with a dark rim: to be read on any colour."""
+    """Writes the name of a body in white with a dark rim, which is legible on any colour."""
     text = ax.text(0.015, height, name, transform=ax.transAxes, va=anchor, color="white")
     text.set_path_effects([withStroke(linewidth=2.2, foreground="black", alpha=0.75)])
 
 
 def draw_contact(ax: Axes, contact: ContactFields, plane: Plane, length: float) -> Line2D:
-    """The line on which the bodies touch, on a plane normal to the surface; with a dark rim, to be seen on any map."""
+    """Draws the line of contact on a plane normal to the surface, with a dark rim that is visible on any map."""
     ends = [end / length for end in contact_on(contact, plane)]
     look: dict[str, Any] = {"color": "white", "linewidth": 2.2, "solid_capstyle": "butt", "label": "contact"}
     (line,) = ax.plot(ends, [0.0, 0.0], clip_on=False, **look)  # of a single body it lies on the rim
@@ -228,7 +228,7 @@ def draw_contact(ax: Axes, contact: ContactFields, plane: Plane, length: float) 
 
 
 def draw_outline(ax: Axes, contact: ContactFields, length: float) -> None:
-    """The edge of contact, seen from above; with a dark rim, to be seen on any map."""
+    """Draws the edge of contact, seen from above, with a dark rim that is visible on any map."""
     edge = contact_edge(contact)
     if not edge.min() < 0.0 < edge.max():  # all touches, or nothing
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sliding: friction and its two parts, contact and roughness, over the way slid and stroke by stroke.
+"""Sliding: friction and its two parts, contact and roughness, over the sliding distance and by stroke.
 
 SI with prefixes throughout. Friction is the force along x over the load, positive where it resists the motion.
 """
@@ -31,7 +31,7 @@ _UPPER: Look = {"color": style.UPPER, "marker": "s", "linestyle": (0, (4, 2)), "
 
 
 def _moving(run: Run) -> NDArray[np.bool_]:
-    """The steps that slide."""
+    """The steps of sliding, without pressing and lifting off."""
     return np.diff(run.history["way"], prepend=0.0) > 0.0
 
 
@@ -48,9 +48,10 @@ def _has_period(shown: Sequence[Entry]) -> bool:
 @style.figure
 @of_runs
 def along_way(runs: Sequence[Run]) -> Figure | None:
-    """Over the way slid: friction (dashed, its part by ploughing), contact, gap, and plastic work since the start.
+    """Friction (dashed: by ploughing), contact, gap and plastic work since the start over the sliding distance.
 
-    Over a period the contact is its share of it, and the gap is the mean; otherwise area and approach stand there.
+    In a period the contact is its share of the period and the gap is the mean gap; otherwise area and approach are
+    drawn.
 
     Returns:
         None if nothing has slid.
@@ -110,9 +111,9 @@ def _draw_friction(ax: Axes, shown: Sequence[Entry], way: Scale) -> None:
 @style.figure
 @of_runs
 def stroke_by_stroke(runs: Sequence[Run]) -> Figure | None:
-    """Stroke by stroke: friction (dashed, by ploughing), contact, plastic work, and the rms height of both surfaces.
+    """Friction (dashed: by ploughing), contact, plastic work, and rms height of both surfaces by stroke.
 
-    Of several runs the heights are those of the lower surfaces.
+    For several runs the heights are those of the lower surfaces.
 
     Returns:
         None if no run has two strokes: the summary tells the numbers of one.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The figures that suit a run, whatever its scenario: for a first look, and for the report."""
+"""The figures that suit a run of any scenario: for a first look, and for the report."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["Named", "standard_figures"]
 
 @dataclass(frozen=True, eq=False)
 class Named:
-    """A figure with its file name and what it shows."""
+    """A figure with its file name and caption."""
 
     name: str
     caption: str
@@ -32,7 +32,9 @@ class Named:
 
 
 def standard_figures(run: Run) -> Iterator[Named]:
-    """Draws what the run has: a run that has not finished has no final state, one without stored steps no loaded one.
+    """Draws the figures for which a run has data.
+
+    An unfinished run has no final state, a run without stored steps no loaded one.
 
     Yields:
         The figures, the most telling first.
@@ -62,12 +64,12 @@ def standard_figures(run: Run) -> Iterator[Named]:
 
 
 def _moves(run: Run) -> bool:
-    """Whether the contact does."""
+    """Whether the contact moves."""
     return SCENARIOS[run.scenario].motion is not None
 
 
 def _of_scenario(run: Run) -> Iterator[Named]:
-    """What only this scenario has."""
+    """Figures that only this scenario has."""
     drawings = SCENARIOS[run.scenario].drawings
     for name, drawing in drawings().figures.items() if drawings is not None else ():
         figure = drawing.draw([run]) if drawing.caption else None
@@ -85,7 +87,7 @@ _LARGEST = {"F_n": "load", "displacement": "displacement", "way": "way slid"}
 
 
 def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
-    """The contact, and the stress under it."""
+    """Figures of the contact and of the stress under it."""
     where = _place_of_loaded_state(run)
     if not snapshot.in_contact:
         return
@@ -103,7 +105,7 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
 
 
 def _of_heat(run: Run, snapshot: Snapshot) -> Iterator[Named]:
-    """Of a loaded state: temperatures and heat fluxes of the surfaces, and how deep the heat has come."""
+    """Figures of heat in a loaded state: temperatures and heat fluxes of the surfaces, and temperature over depth."""
     where = _place_of_loaded_state(run)
     if fields.suits("surface-temperature-maps", snapshot):
         caption = f"Temperatures of both surfaces and heat flux into each body {where}, with the edge of contact."
@@ -115,12 +117,12 @@ def _of_heat(run: Run, snapshot: Snapshot) -> Iterator[Named]:
 
 
 def _end_of(final: Snapshot) -> Literal["end", "residual"]:
-    """Fretting ends under load, most scenarios without."""
+    """Words for the final state: fretting ends under load, most scenarios without."""
     return "end" if final.in_contact else "residual"
 
 
 def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
-    """What is left when the bodies have parted, or at the end if they have not; nothing if none has yielded."""
+    """Figures of the final state, in most scenarios without contact; none if no body has yielded."""
     if not any(np.any(body.equivalent_plastic_strain) for body in (snapshot.lower, snapshot.upper)):
         return
     when, kind = ("at the end, under load", "Stress") if snapshot.in_contact else ("after unloading", "Residual stress")

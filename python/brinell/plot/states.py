@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every picture of a state needs: a line that says which one it is, and the bodies that it shows."""
+"""Parts of every figure of a state: the line that names it, and the bodies that are shown."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ Follow = Literal["contact", "body"]
 def of_state(
     draw: Callable[Concatenate[Run, Snapshot, _P], _R],
 ) -> Callable[Concatenate[Run, Snapshot | Which, _P], _R]:
-    """Lets a figure of a state take the number or the name of the state, as `Run.snapshot` does."""
+    """Decorator with which a figure of a state also accepts the number or name of the state, as `Run.snapshot` does."""
 
     @functools.wraps(draw)
     def drawn(run: Run, snapshot: Snapshot | Which, *args: _P.args, **options: _P.kwargs) -> _R:
@@ -53,7 +53,7 @@ def of_state(
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """One of the two bodies, and how it is drawn."""
+    """One of the two bodies, and its look."""
 
     name: str
     body: BodyFields
@@ -72,7 +72,7 @@ def both_sides(snapshot: Snapshot) -> list[Side]:
 
 
 def sides(snapshot: Snapshot) -> list[Side]:
-    """The bodies that deform: a rigid one has no fields."""
+    """The bodies that deform; a rigid body has no fields."""
     return [side for side in both_sides(snapshot) if not side.body.is_rigid]
 
 
@@ -94,7 +94,7 @@ def chosen_sides(run: Run, snapshot: Snapshot, bodies: Bodies) -> list[Side]:
 
 
 def state_title(run: Run, snapshot: Snapshot) -> str:
-    """One line that says which state is drawn."""
+    """One line that names the state."""
     parts = ["final state" if snapshot.is_final else f"step {snapshot.step}"]
     own = SCENARIOS[snapshot.scenario].state_text
     if own is not None:
@@ -105,7 +105,7 @@ def state_title(run: Run, snapshot: Snapshot) -> str:
 
 
 def _drive(snapshot: Snapshot) -> list[str]:
-    """Pass, place and load."""
+    """Pass, place and load of a state."""
     return [
         f"pass {snapshot.pass_}",
         f"$x$ = {style.length(snapshot.row['x'])}",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One look for all figures: fonts, colours, colour maps, how a quantity is written.
+"""One look for all figures: fonts, colours, colour maps, notation of quantities.
 
-Colours are safe for colour-blind readers: Okabe and Ito's palette for the two bodies, matplotlib's perceptually
-uniform maps for fields and for families of curves.
+Colours are safe for colour-blind readers: the palette of Okabe and Ito for the two bodies, perceptually uniform maps of
+matplotlib for fields and for families of curves.
 """
 
 from __future__ import annotations
@@ -107,14 +107,14 @@ _R = TypeVar("_R")
 
 @contextlib.contextmanager
 def look() -> Iterator[None]:
-    """Within it matplotlib draws in this style, whatever the caller's settings are."""
+    """Context in which matplotlib draws in this style, whatever the settings of the caller are."""
     with matplotlib.rc_context(), matplotlib.rc_context(rc=matplotlib.rcParamsDefault):
         matplotlib.rcParams.update(_RC)
         yield
 
 
 def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Decorator: draws within this style."""
+    """Decorator that draws a figure within this style."""
 
     @functools.wraps(draw)
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
@@ -174,7 +174,7 @@ def save(fig: Figure, folder: str | Path, name: str, formats: Sequence[str] = ("
 
 
 def family_colours(count: int) -> list[str]:
-    """Colours of an ordered family of curves, the last one darkest; without the yellow that vanishes on white."""
+    """Colours of an ordered family of curves, the last one darkest; without yellow, which is not visible on white."""
     cmap: Colormap = matplotlib.colormaps["viridis"]
     return [to_hex(cmap(v)) for v in np.linspace(0.8, 0.0, count)] if count > 1 else [to_hex(cmap(0.0))]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A height map in one figure: the heights, their spectrum, their distribution and the area that they bear on."""
+"""A height map in one figure: heights, spectrum, distribution and bearing-area curve."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MOST_POINTS = 1000
 
 @style.figure
 def surface(heightmap: HeightMap, *, title: str = "") -> Figure:
-    """The map, the power spectral density over the wavenumber, the distribution of the heights and the bearing area.
+    """The map, the power spectral density over the wavenumber, the distribution of heights, the bearing-area curve.
 
     Args:
         heightmap: what to draw; level it before if it lies askew.
@@ -81,7 +81,7 @@ def _spectrum(ax: Axes, heightmap: HeightMap) -> None:
     wavelengths = si(2.0 * np.pi / float(np.exp(np.log(spectrum.wavenumber).mean())), "m")
 
     def other(value: Any) -> Any:
-        """Wavelength of a wavenumber, and back."""
+        """Wavelength of a wavenumber, and the reverse."""
         return 2.0 * np.pi / (np.maximum(value, 1e-300) * wavelengths.size)
 
     above = ax.secondary_xaxis("top", functions=(other, other))
@@ -109,7 +109,7 @@ def _distribution(ax: Axes, heightmap: HeightMap) -> None:
 
 
 def points_of_curve(size: int) -> NDArray[np.int64]:
-    """Few points of a bearing-area curve that are even, and all of both ends, which are steep."""
+    """Points of a bearing-area curve: few where the curve is even, all at both ends, which are steep."""
     picked = np.linspace(0, size - 1, min(size, _MOST_POINTS)).astype(np.int64)
     ends = np.arange(min(size, 100))
     return np.unique(np.concatenate([picked, ends, size - 1 - ends]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heat of friction: temperatures of the surfaces and in the bodies, and the heat that each body takes."""
+"""Heat of friction: temperatures of the surfaces and within the bodies, and the heat that enters each body."""
 
 from __future__ import annotations
 
@@ -46,13 +46,13 @@ def _is_heated(run: Run) -> bool:
 
 
 def _moving(one: History, column: str) -> History:
-    """The part of a pass in which the contact moves, without pressing on and lifting off; all if it never does."""
+    """The part of a pass in which the contact moves, without pressing and lifting off; all of it if it never moves."""
     moving = np.flatnonzero(np.diff(one[column]))
     return one.part(slice(int(moving[0]), int(moving[-1]) + 2)) if moving.size else one
 
 
 def _heated_course(run: Run) -> Course:
-    """Over the distance, by which the surfaces heat: that of the history, or how far the bodies have slid or rolled."""
+    """The course over a distance: that of the history, or the distance slid or rolled."""
     course = course_of(run)
     if SCENARIOS[run.scenario].abscissa is not None:
         return course
@@ -66,18 +66,18 @@ def _heated_course(run: Run) -> Course:
 
 
 def _draw_course(ax: Axes, course: Course, column: str, scale: Scale, look: Mapping[str, Any]) -> None:
-    """One column, the line broken between two passes."""
+    """Draws one column, with a gap between two passes."""
     for index, (x, one) in enumerate(zip(course.x, course.passes, strict=True)):
         ax.plot(x, one[column] / scale.size, **(look if index == 0 else {**look, "label": "_"}))
 
 
 @style.figure
 def surface_temperatures(run: Run) -> Figure | None:
-    """Over the distance: the largest temperature of each surface, and the heat that has come into each body.
+    """Largest temperature of each surface, and the heat that has entered each body, over a distance.
 
-    The distance is the sliding coordinate of a tugging, the distance slid in several passes, otherwise the way slid or
-    rolled; steps that press on and lift off have no place there. Beside it, the heat that has arisen in both of their
-    plastic work.
+    The distance is the sliding coordinate for tugging, the sliding distance in several passes, otherwise the distance
+    slid or rolled; steps of pressing and lifting off are left out. The heat of the plastic work in both bodies is
+    drawn, too.
 
     Returns:
         None if no heat was computed.
@@ -148,7 +148,7 @@ class _Surface:
 
 
 def _surfaces(run: Run, snapshot: Snapshot) -> list[_Surface]:
-    """Those that take heat: a rigid body without thermal constants keeps its temperature; both if neither has any."""
+    """The surfaces that take heat, which a rigid body without thermal constants does not; both if neither does."""
     contact = snapshot.contact
     found = []
     for side, look in _SIDES:
@@ -211,7 +211,7 @@ _OUT = 0.01
 
 
 def _window(snapshot: Snapshot, surfaces: Sequence[_Surface], length: float) -> tuple[Span, Span]:
-    """Ranges of x and y around the contact and what is warm, over the length, within the grid."""
+    """Ranges of x and y around the contact and the warm area, over the length, within the grid."""
     contact = snapshot.contact
     rises = [one.temperature - one.temperature.min() for one in surfaces]
     warm = np.any([rise > _WARM * max(float(rise.max()) for rise in rises) for rise in rises], axis=0)
@@ -246,7 +246,7 @@ def _draw_temperatures(
 def _draw_fluxes(
     axes: Sequence[Axes], contact: ContactFields, surfaces: Sequence[_Surface], length: float, *, cells: bool
 ) -> None:
-    """White around the contact, where no heat passes."""
+    """Draws the heat fluxes; white around the contact, where no heat passes."""
     lowest, highest = _range([one.flux for one in surfaces])
     flux = si(max(-lowest, highest), "W/m²")
     reach = max(-lowest, highest) / flux.size or 1.0
@@ -273,7 +273,7 @@ def _colour_bar(axes: Sequence[Axes], colour_map: str, norm: Normalize, label: s
 
 
 def _lines(snapshot: Snapshot, surfaces: Sequence[_Surface], length: Scale, title: str, *, cells: bool) -> Figure:
-    """Of a contact in plane strain: over x, the contact in grey."""
+    """Figure of a contact in plane strain: lines over x, with the contact in grey."""
     contact = snapshot.contact
     lowest, highest = _range([one.flux for one in surfaces])
     flux = si(max(-lowest, highest), "W/m²")

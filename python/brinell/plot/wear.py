@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wear: what both surfaces have lost, along and across, and how it grew."""
+"""Wear: depth that both surfaces have lost, along and across the motion, and its growth."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _LOOKS: Mapping[str, Look] = {
 
 
 def _worn(run: Run) -> list[tuple[str, BodyFields, FloatArray]]:
-    """Bodies that have lost something at the end, and the depth."""
+    """Bodies that have lost material at the end, and the depth."""
     final = run.snapshot("final")
     both = (("lower", final.lower), ("upper", final.upper))
     return [(side, body, w) for side, body in both if (w := body.worn_depth) is not None and np.any(w)]
@@ -63,7 +63,7 @@ def worn_profiles(run: Run) -> Figure | None:
 
 
 def _way(run: Run) -> tuple[FloatArray, str]:
-    """What wear grows with, as far as the history tells it, and its name."""
+    """Abscissa of the growth of wear, as far as the history has one, and its name."""
     history = run.history
     if "way" in history:
         return history["way"], "way slid"
@@ -73,7 +73,7 @@ def _way(run: Run) -> tuple[FloatArray, str]:
 
 
 def _volume(largest: float) -> Scale:
-    """A prefix of it would count three times."""
+    """Scale of volumes in SI without a prefix, which would apply to the length and not to the volume."""
     for size, unit in ((1e-9, "mm³"), (1e-18, "µm³")):
         if largest >= size:
             return Scale(size, "", unit)
@@ -82,7 +82,7 @@ def _volume(largest: float) -> Scale:
 
 @style.figure
 def worn_course(run: Run) -> Figure | None:
-    """Over the way: the volume that each body has lost, and its largest depth.
+    """The volume that each body has lost, and its largest depth, over the distance.
 
     Returns:
         None if nothing is worn.

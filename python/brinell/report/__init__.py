@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run as one page: HTML that opens from disk, needs no network, and can be printed or sent to a colleague.
+"""A report of a run as one HTML page that opens from disk, needs no network, and can be printed or sent.
 
-Modules: `page` (puts it together), `numbers` (key results, energies, cost), `inputs` (the case with its units),
-`findings` (what to be wary of), `volumes` (what the interactive pictures show, thinned to a size that travels), `text`
-(numbers as plain text), `cli` (the command `brinell report`); templates/ holds the page, its style and its script.
+Modules: `page` (generates the page), `numbers` (key results, energies, cost), `inputs` (the case with its units),
+`findings` (warnings), `volumes` (data of the interactive figures, thinned to a suitable size), `text` (numbers as plain
+text), `cli` (the command `brinell report`).
 """
 
 from brinell.report.page import write_report

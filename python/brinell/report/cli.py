@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Command line of the page: ``brinell report``."""
+"""Command line of the HTML report: ``brinell report``."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ __all__ = ["report"]
 
 @click.command()
 @click.argument("run", type=click.Path(path_type=Path), metavar="RUN")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File; by default RUN/report.html.")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="File of the page; default: RUN/report.html.")
 @reports_errors
 def report(run: Path, output: Path | None) -> None:
-    """Write a run, finished or not, as one HTML page that opens without a network."""
+    """Write an HTML page on a run, which may be unfinished, that opens without a network."""
     matplotlib.use("Agg")
     click.echo(write_report(open_run(run, allow_unfinished=True), output or folder_of(run) / "report.html"))

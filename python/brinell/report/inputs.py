@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The case as computed, as a table that a person reads: keys of the case file, values with their units."""
+"""The case as computed, as a readable table: keys of the case file, values with their units."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ _SYMBOLS = {"load": "P_c", "interference": "α_c", "energy": "U_c", "peak_pressu
 
 
 def _shown(run: Run, one: KeyNumber) -> Number:
-    """As text, over the value at first yield where that exists."""
+    """A value as text, normalised by its value at first yield if there is one."""
     if isinstance(one.value, int):
         return Number(one.name, str(one.value))
     if one.unit == "%":
@@ -44,7 +44,7 @@ def _shown(run: Run, one: KeyNumber) -> Number:
 
 
 def key_numbers(run: Run) -> list[Number]:
-    """The results that tell most, those of the scenario first; also of a run that has not finished."""
+    """The most important results, those of the scenario first; also for an unfinished run."""
     found = [*SCENARIOS[run.scenario].key_numbers(run), *_of_all_scenarios(run.history)]
     return [_shown(run, one) for one in found]
 
@@ -60,7 +60,7 @@ def _of_all_scenarios(history: History) -> Iterator[KeyNumber]:
 
 
 def energies_of(run: Run) -> list[Number]:
-    """Energies to which the work of the drive was converted at the end of the run, and the error of the balance."""
+    """Energies to which the work of the drive was converted by the end of the run, and the error of the balance."""
     last = {name: float(column[-1]) for name, column in run.history.items()}
     missing = last["work"] - sum(last[sink.column] for sink in sinks_of(run.history))
     values = [
@@ -72,7 +72,7 @@ def energies_of(run: Run) -> list[Number]:
 
 
 def cost_of(run: Run) -> list[Number]:
-    """Steps, evaluations, and from the summary, as far as it has them, cells and time."""
+    """Steps, evaluations and, if the summary has them, cells and time."""
     summary = run.summary or {}
     grid, cost = summary.get("grid", {}), summary.get("run", {})
     found = [
@@ -92,7 +92,7 @@ def cost_of(run: Run) -> list[Number]:
 
 @dataclass(frozen=True)
 class Interval:
-    """A result and how well it is known."""
+    """A result with its interval."""
 
     name: str
     value: str
@@ -107,7 +107,7 @@ _UNITS = (("_N_per_m", "N/m"), ("_m2", "m²"), ("_Pa", "Pa"), ("_N", "N"), ("_J"
 
 
 def accuracies_of(run: Run) -> list[Interval]:
-    """Of a run for which an accuracy was asked: its key numbers, with their intervals."""
+    """Key numbers with their intervals, for a run with `solver.accuracy`."""
     accuracies = run.accuracy
     keys = (run.summary or {}).get("accuracy", {}).get("key_numbers", [])
     found = []

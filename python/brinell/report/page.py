@@ -82,7 +82,7 @@ def _environment() -> Environment:
 
 
 def _symbols(label: str) -> Markup:
-    """Symbols within a text, set as such: F_X, P_c, p0_c.
+    """A text with its symbols set as mathematics: F_X, P_c, p0_c.
 
     >>> _symbols("7.32 P_c")
     Markup('7.32 <i>P</i><sub>c</sub>')
@@ -132,7 +132,7 @@ def _content(run: Run) -> dict[str, Any]:
 
 
 def _states(run: Run) -> tuple[Snapshot | None, Snapshot | None]:
-    """Under load and at the end, as far as they are stored and there is something in them."""
+    """The states under load and at the end, if they are stored and have data."""
     aligned = run.snapshot("aligned") if run.steps else None
     loaded = aligned if aligned is not None and aligned.in_contact else None
     return loaded, run.snapshot("final", tensors=True) if run.complete else None
@@ -147,7 +147,7 @@ def _groups(run: Run) -> dict[str, list[_Shown]]:
 
 
 def _address(figure: Figure) -> str:
-    """A figure as an address that holds it: a drawing, sharp at any size, with its text as curves."""
+    """A figure as a data address: a vector drawing with its text as curves."""
     buffer = io.BytesIO()
     with style.look():
         figure.savefig(buffer, format="svg", metadata={"Date": None})

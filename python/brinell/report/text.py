@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers and symbols as text of a page, without the mathematics of a figure's label."""
+"""Numbers and symbols as text of a page, without mathematical notation."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def number(value: float, digits: int = 3) -> str:
 
 
 def quantity(value: float, unit: str, digits: int = 3) -> str:
-    """A number with its unit and prefix; an area has none, since it would count twice.
+    """A number with its unit and prefix; areas have no prefix, because it would apply to the length.
 
     >>> quantity(1.4925e9, "Pa"), quantity(0.0, "m"), quantity(2.5e-9, "m²")
     ('1.49 GPa', '0 m', '2500 µm²')
@@ -41,7 +41,7 @@ def quantity(value: float, unit: str, digits: int = 3) -> str:
 
 
 def percent(share: float, digits: int = 2) -> str:
-    """A share of one.
+    """A share as a percentage.
 
     >>> percent(-0.00193)
     '−0.19 %'

@@ -46,7 +46,7 @@ class Pictures:
     """How the fields were thinned, a sentence; empty if they were not."""
 
     def as_json(self) -> dict[str, Any]:
-        """For the page's script."""
+        """The data as JSON for the script of the page."""
         return {"surfaces": self.surfaces, "volumes": self.volumes}
 
 
@@ -86,7 +86,7 @@ def pictures_of(loaded: Snapshot | None, final: Snapshot | None) -> Pictures:
 
 
 def _present(side: Side, names: Sequence[str]) -> list[Quantity]:
-    """The fields of these that are stored and not zero, or warm."""
+    """Those of the fields that are stored and not zero; for temperature, not uniform."""
     values = {name: QUANTITIES[name].values(side.body) for name in names}
     return [
         QUANTITIES[name]
@@ -96,12 +96,12 @@ def _present(side: Side, names: Sequence[str]) -> list[Quantity]:
 
 
 def _over_bulk(quantity: Quantity, values: FloatArray) -> FloatArray:
-    """What there is to see of a field: of a temperature its rise above the coldest place."""
+    """The values to be shown of a field: for temperature the rise above the coldest place."""
     return values - values.min() if quantity.kind == "temperature" else values
 
 
 def _volume(side: Side, snapshot: Snapshot, quantities: list[Quantity], cells: int) -> _Volume:
-    """The part of a body worth seeing, thinned to a number of cells."""
+    """The part of a body with values to show, thinned to a number of cells."""
     fields = [_over_bulk(one, value) for one in quantities if (value := one.values(side.body)) is not None]
     worth = np.any([np.abs(field) > _WORTH_SEEING * np.abs(field).max() for field in fields], axis=0)
     ranges = [_range(np.any(worth, axis=tuple({0, 1, 2} - {axis}))) for axis in range(3)]
@@ -121,14 +121,14 @@ def _volume(side: Side, snapshot: Snapshot, quantities: list[Quantity], cells: i
 
 
 def _state_of(snapshot: Snapshot) -> str:
-    """What the state is, in words."""
+    """Description of a state."""
     if not snapshot.in_contact:
         return "after unloading"
     return "at the end, under load" if snapshot.is_final else "under load"
 
 
 def _range(worth: NDArray[np.bool_]) -> tuple[int, int]:
-    """First and last + 1 of the layers worth seeing, with one more on each side."""
+    """First and last + 1 of the layers with values to show, with one more on each side."""
     found = np.flatnonzero(worth)
     return max(0, int(found[0]) - 1), min(len(worth), int(found[-1]) + 2)
 
@@ -148,7 +148,7 @@ def _encoded(values: NDArray[Any]) -> str:
 
 
 def _over(values: FloatArray, scale: Scale) -> list[float]:
-    """Coordinates with the digits that matter."""
+    """Coordinates with the significant digits."""
     return [float(f"{value / scale.size:.5g}") for value in values]
 
 
@@ -184,14 +184,14 @@ def _field(quantity: Quantity, values: FloatArray, in_contact: bool) -> dict[str
 
 
 def _colours(name: str, middle: float = 0.5) -> list[tuple[float, str]]:
-    """A colour map as the script wants it, its middle colour at a place in [0, 1]."""
+    """A colour map in the form of the script, with its middle colour at a place in [0, 1]."""
     places = np.linspace(0.0, 1.0, 33)
     moved = np.interp(places, [0.0, 0.5, 1.0], [0.0, middle, 1.0])
     return [(float(at), to_hex(matplotlib.colormaps[name](place))) for at, place in zip(moved, places, strict=True)]
 
 
 def _surface(side: Side) -> dict[str, Any] | None:
-    """Heights of a residual surface; None if it is as it was."""
+    """Heights of a residual surface; None if the surface is not deformed."""
     body = side.body
     height = -body.residual_displacement
     if not np.any(height):

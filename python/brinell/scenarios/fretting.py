@@ -157,8 +157,8 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "fretting",
-        "Loops of force over displacement, stick, slip, shear and heat of friction over the contact, cycle by cycle, "
-        "step by step.",
+        "Draw loops of force over displacement, maps of stick, slip, shear and heat of friction, and the course by "
+        "cycle and by step.",
         {
             "loops": Drawing(
                 fretting.force_loops,

@@ -154,7 +154,7 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "indentation",
-        "Load over approach, imprint, contact pressure and, over a period, contact fraction of indentations.",
+        "Draw load over approach, imprint and contact pressure of indentations, and in a period the contact fraction.",
         {
             "load-depth": Drawing(
                 indentation.load_depth,

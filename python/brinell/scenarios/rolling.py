@@ -226,8 +226,8 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "rolling",
-        "Rut, strain and dissipation by pass, residual stress in depth, the track across, forces along it; with "
-        "creepage stick, slip and heat of friction, and of several runs the creep curve.",
+        "Draw rut, strain and dissipation by pass, residual stress over depth, the cross section of the track and the "
+        "forces along it; with creepage also stick, slip and heat of friction, and the creep curve of several runs.",
         {
             "passes": Drawing(
                 rolling.pass_by_pass,

@@ -205,7 +205,7 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "sliding",
-        "Friction and its two parts, contact, patches and roughness, over the way slid and stroke by stroke.",
+        "Draw friction and its two parts, contact, patches and roughness, over the sliding distance and by stroke.",
         {
             "along-way": Drawing(
                 sliding.along_way,

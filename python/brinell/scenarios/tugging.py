@@ -164,7 +164,7 @@ def _drawings() -> Drawings:
 
     return Drawings(
         "paper",
-        "Figures 11 to 15 of Boucly, Nelias, Green (2006) and an overview, from one run per interference.",
+        "Draw Figures 11 to 15 of Boucly, Nelias, Green (2006) and an overview from runs of different interferences.",
         {
             "fig11-tangential-force": Drawing(paper.fig11),
             "fig12-normal-force": Drawing(paper.fig12),

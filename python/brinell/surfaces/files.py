@@ -46,7 +46,7 @@ def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None =
     Raises:
         InputError: spacing or unit is missing, or the content is not a height map.
         MissingExtraError: SurfaceTopography is needed but not installed.
-        IoError: there is no such file.
+        IoError: there is no such file, or it cannot be read.
     """
     path = Path(path)
     if not path.is_file():
@@ -65,6 +65,8 @@ def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None =
         return _from_instrument(path, spacing, unit, fill)
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
+    except OSError as error:
+        raise IoError(f"{path}: cannot be read: {error.strerror or error}") from error
 
 
 def write(path: str | Path, heightmap: HeightMap) -> None:
@@ -121,6 +123,8 @@ def _loaded(path: Path) -> Any:
     try:
         return np.load(path)
     except (EOFError, OSError, ValueError, zipfile.BadZipFile) as error:
+        if isinstance(error, OSError) and error.errno is not None:
+            raise  # the operating system could not read the file
         raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({error})") from error
 
 

@@ -32,8 +32,8 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     required=True,
     metavar="KEY=VALUES",
     shell_complete=completion.schema_keys,
-    help="A key and its values: 1:15:15 (start, stop, count; both ends), 200GPa:220GPa:3, log:1:100:5, or a,b,c. "
-    "Of a key that is a list, its first entry: indentation.load=10:200:12. Once per key.",
+    help="A key and its values: 1:15:15 (start, stop, count; both ends are included), 200GPa:220GPa:3, log:1:100:5, "
+    "or a,b,c. Of a key that is a list, its first entry: indentation.load=10:200:12. Once per key.",
 )
 @click.option(
     "-o", "--output", required=True, type=click.Path(path_type=Path), metavar="DIR", help="Folder of the sweep."
@@ -43,10 +43,11 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     type=click.Choice(list(_DESIGNS)),
     default="grid",
     show_default=True,
-    help="All combinations; the keys walked in step; or points drawn from ranges without a count.",
+    help="grid: all combinations; list: the first values of all keys, then the second values, and so on; "
+    "latin-hypercube: random points in ranges without a count.",
 )
-@click.option("--samples", type=click.IntRange(min=1), help="Points of a Latin hypercube.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Of its drawing.")
+@click.option("--samples", type=click.IntRange(min=1), help="Number of points of a Latin hypercube.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of its random numbers.")
 @click.option(
     "--set",
     "overrides",
@@ -55,13 +56,17 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     shell_complete=completion.schema_keys,
     help="Replace or add a key of the case.",
 )
-@click.option("--workers", type=click.IntRange(min=1), help="Processes; by default as many as there are cores.")
-@click.option("--threads", type=click.IntRange(min=1), help="Of each run; by default what makes use of all cores.")
-@click.option("--cluster", metavar="ADDRESS", help="Address or scheduler file of a Dask cluster that computes instead.")
+@click.option("--workers", type=click.IntRange(min=1), help="Number of processes; default: the number of cores.")
 @click.option(
-    "--retry-failed", is_flag=True, help="Compute again what failed before, also with other keys of grid and solver."
+    "--threads",
+    type=click.IntRange(min=1),
+    help="Number of threads of each run; default: the number with which all cores are used.",
 )
-@click.option("--quiet", is_flag=True, help="No progress bar.")
+@click.option(
+    "--cluster", metavar="ADDRESS", help="Address or scheduler file of a Dask cluster on which the runs are computed."
+)
+@click.option("--retry-failed", is_flag=True, help="Repeat failed runs, also with other keys of grid and solver.")
+@click.option("--quiet", is_flag=True, help="Show no progress bar.")
 def command(
     case: Path,
     over: tuple[str, ...],
@@ -78,7 +83,7 @@ def command(
 ) -> None:
     """Compute a case for many values of some of its keys.
 
-    The same command goes on with what is missing. DIR/table.csv has a row per run.
+    The same command continues a sweep that was stopped. DIR/table.csv has one row per run.
     """
     # The signals by which a batch system or a closing terminal ends a job stop the sweep in the same way as Ctrl-C.
     signal.signal(signal.SIGTERM, signal.default_int_handler)

@@ -10,6 +10,7 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <regex>
 
 namespace brinell::io
 {
@@ -118,7 +119,6 @@ namespace
 {
 
 constexpr std::size_t most_inline = 1000; ///< largest number of heights on a line of text; longer maps become files
-constexpr std::string_view map_infix = "-heights-", map_ending = ".npy";
 
 /// The lines of a case file, except those replaced by lines in `replaced`.
 std::string text_of(const CaseValues& values,
@@ -145,14 +145,8 @@ std::string text_of(const CaseValues& values,
 /// Whether a file was written, or begun, by `write_resolved` for resolved.toml.
 bool is_resolved_map(const std::filesystem::path& file)
 {
-  constexpr std::string_view digits = "0123456789abcdef";
-  constexpr std::size_t count = 16;
-  std::string name = file.filename().string();
-  if (name.ends_with(".part"))
-    name.resize(name.size() - 5);
-  const std::string begin = fmt::format("resolved{}", map_infix);
-  return name.size() == begin.size() + count + map_ending.size() && name.starts_with(begin) &&
-         name.ends_with(map_ending) && name.substr(begin.size(), count).find_first_not_of(digits) == name.npos;
+  static const std::regex map(R"(resolved-heights-[0-9a-f]{16}\.npy(\.part)?)");
+  return std::regex_match(file.filename().string(), map);
 }
 
 } // namespace
@@ -179,7 +173,7 @@ ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem)
                             return "";
                           const auto columns = static_cast<std::size_t>(values.get<std::int64_t>(table + "columns"));
                           const std::string sum = checksum(npy_content(heights, columns));
-                          result.maps.push_back({fmt::format("{}{}{}{}", stem, map_infix, sum, map_ending),
+                          result.maps.push_back({fmt::format("{}-heights-{}.npy", stem, sum),
                                                  &std::get<std::vector<double>>(value), columns});
                           return fmt::format("file = {}\n", toml_string(result.maps.back().name));
                         });

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 #include <set>
 
 namespace brinell::io
@@ -49,29 +49,33 @@ double from_quantity(const std::string& text, const Entry& entry, bool pure)
   return given.value;
 }
 
-/// "1 %" or "0.01"; "70.3 deg", "70.3°" or "1.2 rad" in degrees.
-double from_share_or_angle(const std::string& text, const Raw& raw, const Entry& entry)
+/// The number of "1 %" or "0.01".
+std::optional<double> share_of(const std::string& text)
+try
 {
-  double x = 0.0;
-  const char* end = text.data() + text.size();
-  auto [rest, error] = std::from_chars(text.data(), end, x);
-  while (rest != end && *rest == ' ')
-    ++rest;
-  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  if (error == std::errc{} && entry.of.notation == Notation::share && (unit.empty() || unit == "%"))
-    return unit.empty() ? x : x / 100.0;
-  if (error == std::errc{} && entry.of.notation == Notation::angle &&
-      (unit == "deg" || unit == "\u00b0" || unit == "rad"))
-    return unit == "rad" ? x * 180.0 / std::numbers::pi : x;
-  throw wrong_type(raw, entry, true);
+  const Quantity given = quantity(text);
+  return given.dimension == dimension::none ? std::optional(given.value) : std::nullopt;
+}
+catch (const InputError&)
+{
+  return std::nullopt;
 }
 
 double from_text(const std::string& text, const Raw& raw, const Entry& entry, bool pure)
 {
-  if (entry.of.notation == Notation::share || entry.of.notation == Notation::angle)
-    return from_share_or_angle(text, raw, entry);
-  if (entry.of.notation == Notation::temperature)
+  switch (entry.of.notation)
+  {
+  case Notation::share:
+    if (const auto share = share_of(text))
+      return *share;
+    break;
+  case Notation::angle:
+    return degrees(text);
+  case Notation::temperature:
     return degrees_celsius(text);
+  case Notation::plain:
+    break;
+  }
   if (entry.of.dimension == dimension::none)
     throw wrong_type(raw, entry, pure);
   return from_quantity(text, entry, pure);

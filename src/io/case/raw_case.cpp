@@ -25,26 +25,6 @@ std::string article(std::string_view noun)
   return fmt::format("{} {}", noun.front() == 'i' ? "an" : "a", noun);
 }
 
-Raw raw_value(const toml::node& node)
-{
-  if (const auto* b = node.as_boolean())
-    return {b->get()};
-  if (const auto* i = node.as_integer())
-    return {i->get()};
-  if (const auto* x = node.as_floating_point())
-    return {x->get()};
-  if (const auto* s = node.as_string())
-    return {s->get()};
-  if (const auto* array = node.as_array())
-  {
-    std::vector<Raw> items;
-    for (const toml::node& item : *array)
-      items.push_back(raw_value(item));
-    return {std::move(items)};
-  }
-  return {Raw::Other{node.is_table() ? "table" : "date or time"}};
-}
-
 /// For a word where a table is expected: suggests the key of that table that allows the word, such as hardening.law = "none".
 std::string key_of_word(const std::string& table, const Raw& raw)
 {
@@ -240,6 +220,26 @@ void apply_override(const std::string& text, const std::string& scenario, RawCas
 }
 
 } // namespace
+
+Raw raw_value(const toml::node& node)
+{
+  if (const auto* b = node.as_boolean())
+    return {b->get()};
+  if (const auto* i = node.as_integer())
+    return {i->get()};
+  if (const auto* x = node.as_floating_point())
+    return {x->get()};
+  if (const auto* s = node.as_string())
+    return {s->get()};
+  if (const auto* array = node.as_array())
+  {
+    std::vector<Raw> items;
+    for (const toml::node& item : *array)
+      items.push_back(raw_value(item));
+    return {std::move(items)};
+  }
+  return {Raw::Other{node.is_table() ? "table" : "date or time"}};
+}
 
 std::string type_name(const Raw& raw)
 {

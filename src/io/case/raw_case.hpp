@@ -21,8 +21,10 @@ struct Raw
   struct Other
   {
     std::string type;
+    bool operator==(const Other&) const = default;
   };
   std::variant<bool, std::int64_t, double, std::string, std::vector<Raw>, Other> value;
+  bool operator==(const Raw&) const = default;
 };
 
 /// "a string", "an integer", ...

@@ -106,8 +106,8 @@ A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: 
 `[lower]` with `shape = {radius = 1}`.
 
 **Units.** A bare number is SI, but for angles, which are in degrees, and temperatures, in degrees Celsius. A string carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`.
-Units are products of m, g, s, K, N, Pa, bar, J, W with the prefixes p n u (or µ) c m k M G T, `*` or a space between,
-`/` before each one that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`. A quantity of
+Units are products of m, g, s, K, N, Pa, bar, J, W, rad with the prefixes p n u (or µ) c m k M G T, `*` or a space between,
+`/` before each one that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`, an angle `deg`, `rad` or `mrad`. A quantity of
 the wrong dimension is an error.
 
 **Old names.** Keys that had another name before are understood for a version, with a warning: see [names that have
@@ -162,7 +162,8 @@ std::string allowed_values(const Entry& entry)
     return with_range("integer", entry.of.range);
   case Type::number:
     return with_range(what, entry.of.range) + unit_note(entry.of.dimension) +
-           (entry.of.notation == Notation::angle ? ", in degrees or with a unit as in \"1.2 rad\"" : "") +
+           (entry.of.notation == Notation::angle ? ", in degrees or with a unit as in \"1.2 rad\" or \"20 mrad\""
+                                                 : "") +
            temperature_note + (entry.of.notation == Notation::share ? ", or as in \"1 %\"" : "") +
            (entry.pure_if.empty() ? "" : fmt::format("; a number without unit if {} = true", tail(entry.pure_if)));
   case Type::vector3:

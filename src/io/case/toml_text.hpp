@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "raw_case.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,5 +25,7 @@ inline constexpr int deepest_key = 30;
 /// @param file  its name in messages
 /// @throws InputError with line, column and a hint about common mistakes
 [[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& file);
+
+[[nodiscard]] Raw raw_value(const toml::node& node);
 
 } // namespace brinell::io

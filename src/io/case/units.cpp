@@ -10,8 +10,11 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <regex>
+#include <utility>
 
 namespace brinell::io
 {
@@ -38,7 +41,7 @@ constexpr std::array units{
     Unit{"bar", {.mass = 1, .length = -1, .time = -2}, 5},
     Unit{"J", {.mass = 1, .length = 2, .time = -2}},
     Unit{"W", {.mass = 1, .length = 2, .time = -3}},
-    Unit{"rad", {}, 0, false}, // only per length; plain angles are read by the keys that accept them
+    Unit{"rad", {}}, // only per length; plain angles are read by `degrees`
     Unit{"%", {}, -2, false},
 };
 
@@ -49,8 +52,8 @@ struct Prefix
 };
 
 constexpr std::array prefixes{
-    Prefix{"p", -12}, Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"\u00b5", -6}, Prefix{"\u03bc", -6}, Prefix{"m", -3},
-    Prefix{"c", -2},  Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9},       Prefix{"T", 12},
+    Prefix{"k", 3},  Prefix{"M", 6},       Prefix{"G", 9},       Prefix{"T", 12}, Prefix{"c", -2},  Prefix{"m", -3},
+    Prefix{"u", -6}, Prefix{"\u00b5", -6}, Prefix{"\u03bc", -6}, Prefix{"n", -9}, Prefix{"p", -12},
 };
 
 struct NamedDimension
@@ -123,12 +126,18 @@ std::string units_like(std::string_view symbol)
   const auto is_same = [](char a, char b)
   { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
   std::string found;
+  const auto add_if_same = [&](const std::string& known)
+  {
+    if (std::equal(known.begin(), known.end(), symbol.begin(), symbol.end(), is_same))
+      found += (found.empty() ? "" : " or ") + known;
+  };
   for (const Unit& unit : units)
-    for (const std::string_view prefix : {"", "k", "M", "G", "T", "c", "m", "u", "n", "p"})
-      if (const std::string known = std::string(prefix) + std::string(unit.symbol);
-          (prefix.empty() || unit.prefixed) &&
-          std::equal(known.begin(), known.end(), symbol.begin(), symbol.end(), is_same))
-        found += (found.empty() ? "" : " or ") + known;
+  {
+    add_if_same(std::string(unit.symbol));
+    for (const Prefix& prefix : prefixes)
+      if (unit.prefixed)
+        add_if_same(fmt::format("{}{}", prefix.symbol, unit.symbol));
+  }
   return found.empty() ? "" : fmt::format(" (did you mean {}?)", found);
 }
 
@@ -183,10 +192,10 @@ Unit unit_expression(std::string_view whole)
 {
   const auto bad = [&](std::string_view what, const std::string& hint = "")
   {
-    return InputError(
-        fmt::format("has the {} \"{}\"{}; known are m, g, s, K, N, Pa, bar, J, W with the prefixes p n u c m k M G T, "
-                    "as in \"mm\", \"GPa\", \"N/mm^2\"",
-                    what, whole, hint));
+    return InputError(fmt::format(
+        "has the {} \"{}\"{}; known are m, g, s, K, N, Pa, bar, J, W, rad with the prefixes p n u c m k M G T, "
+        "as in \"mm\", \"GPa\", \"N/mm^2\"",
+        what, whole, hint));
   };
   static const std::regex factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
   std::string text = replaced(std::string(whole), "\u00b7", "*"); // middle dot
@@ -208,6 +217,16 @@ Unit unit_expression(std::string_view whole)
   if (product.dimension == Dimension{} && text.find("rad") != text.npos)
     throw bad("unknown unit");
   return product;
+}
+
+/// A number and the rest of its text, which may be a unit that `quantity` does not know. Without a number: NaN and no unit.
+std::pair<double, std::string_view> number_and_unit(std::string_view text)
+{
+  text = trimmed(text);
+  std::string_view unit = text;
+  if (!take_number(unit))
+    return {std::numeric_limits<double>::quiet_NaN(), ""};
+  return {quantity(text.substr(0, text.size() - unit.size())).value, trimmed(unit)};
 }
 
 } // namespace
@@ -251,15 +270,24 @@ Quantity quantity(std::string_view text)
 double degrees_celsius(std::string_view text)
 {
   constexpr double ice_point = 273.15; // [K]
-  text = trimmed(text);
-  std::string_view rest = text;
-  const std::size_t unit = take_number(rest) ? text.size() - rest.size() : text.size();
-  rest = trimmed(rest);
-  const bool is_celsius = rest == "degC" || rest == "\u00b0C";
-  if (!is_celsius && rest != "K")
+  const auto [value, unit] = number_and_unit(text);
+  if (unit == "degC" || unit == "\u00b0C")
+    return value;
+  if (unit != "K")
     throw InputError("is not a temperature; allowed: a number in degC, or text as in \"20 degC\" or \"293.15 K\"");
-  const double value = quantity(text.substr(0, unit)).value;
-  return is_celsius ? value : value - ice_point;
+  return value - ice_point;
+}
+
+double degrees(std::string_view text)
+{
+  constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
+  const auto [value, unit] = number_and_unit(text);
+  if (unit == "deg" || unit == "\u00b0")
+    return value;
+  if (unit != "rad" && unit != "mrad")
+    throw InputError("is not an angle; allowed: a number in degrees, or text as in \"70 deg\", \"1.2 rad\" or "
+                     "\"20 mrad\"");
+  return value * (unit == "rad" ? 1.0 : 1e-3) * degrees_of_radian;
 }
 
 } // namespace brinell::io

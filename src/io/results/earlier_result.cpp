@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -71,15 +72,10 @@ bool is_own(const fs::path& file, const Known& known)
 }
 
 /// Whether it is the name of a piece: 000012.h5 or final.h5, also with .part, which remains if a process is killed while writing.
-bool is_piece(std::string name)
+bool is_piece(const std::string& name)
 {
-  if (name.ends_with(".part"))
-    name.resize(name.size() - 5);
-  if (name == final_piece)
-    return true;
-  constexpr std::size_t digits = 6; // or more
-  return name.size() >= digits + 3 && name.ends_with(".h5") &&
-         std::all_of(name.begin(), name.end() - 3, [](char c) { return c >= '0' && c <= '9'; });
+  static const std::regex piece_name(R"((final|[0-9]{6,})\.h5(\.part)?)");
+  return std::regex_match(name, piece_name);
 }
 
 bool is_there(const fs::path& path)

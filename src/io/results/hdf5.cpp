@@ -164,27 +164,6 @@ std::vector<double> read_numbers(const Handle& group, const std::string& name)
   return values;
 }
 
-namespace
-{
-
-struct Attribute
-{
-  Handle attribute, type;
-  hssize_t count; ///< number of its values
-  std::string what;
-};
-
-Attribute opened_attribute(const Handle& object, const char* name)
-{
-  const std::string what = fmt::format("read the attribute {}", name);
-  Handle attribute = checked(H5Aopen(object.id(), name, H5P_DEFAULT), what);
-  Handle type = checked(H5Aget_type(attribute.id()), what);
-  const Handle space = checked(H5Aget_space(attribute.id()), what);
-  return {std::move(attribute), std::move(type), H5Sget_simple_extent_npoints(space.id()), what};
-}
-
-} // namespace
-
 std::vector<std::string> names(const Handle& group)
 {
   std::vector<std::string> result;
@@ -199,24 +178,18 @@ std::vector<std::string> names(const Handle& group)
 
 std::string read_text_attribute(const Handle& object, const char* name)
 {
-  const auto [attribute, type, count, what] = opened_attribute(object, name);
-  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) <= 0 || count != 1)
+  const std::string what = fmt::format("read the attribute {}", name);
+  const Handle attribute = checked(H5Aopen(object.id(), name, H5P_DEFAULT), what);
+  const Handle type = checked(H5Aget_type(attribute.id()), what);
+  const Handle space = checked(H5Aget_space(attribute.id()), what);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) <= 0 ||
+      H5Sget_simple_extent_npoints(space.id()) != 1)
     fail(fmt::format("{}: it is not one text of variable length", what));
   char* data = nullptr;
   check(H5Aread(attribute.id(), type.id(), static_cast<void*>(&data)), what);
   std::string text = data ? data : "";
   H5free_memory(data);
   return text;
-}
-
-int read_int_attribute(const Handle& object, const char* name)
-{
-  const auto [attribute, type, count, what] = opened_attribute(object, name);
-  if (H5Tget_class(type.id()) != H5T_INTEGER || count != 1)
-    fail(fmt::format("{}: it is not one whole number", what));
-  int value = 0;
-  check(H5Aread(attribute.id(), H5T_NATIVE_INT, &value), what);
-  return value;
 }
 
 void link_soft(const Handle& group, const std::string& name, const std::string& object)
@@ -229,6 +202,11 @@ void link_external(const Handle& group, const std::string& name, const std::stri
 {
   check(H5Lcreate_external(file.c_str(), object.c_str(), group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
         fmt::format("link {}", file));
+}
+
+bool has_member(const Handle& group, const char* name)
+{
+  return H5Lexists(group.id(), name, H5P_DEFAULT) > 0;
 }
 
 void copy_object(const Handle& from, const std::string& object, const Handle& to, const std::string& name)

@@ -88,14 +88,15 @@ void write_dataset(const Handle& group, const char* name, const std::vector<Numb
 struct Field
 {
   const char* name;
-  std::span<const double> values;
+  const std::vector<double>& values;
   std::string long_name;
 };
 
-/// Writes several fields, compressed by all threads. The bytes are those that HDF5 would write with a single thread.
+/// Writes several fields. Deflated ones are compressed by all threads; the bytes are those that HDF5 would write with a single
+/// thread.
 /// @param shape  of each field, slowest index first
-void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                    std::string_view units);
+void write_fields(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
+                  std::string_view units, Storage storage);
 /// Writes a dataset with a single UTF-8 text.
 void write_text(const Handle& group, const char* name, std::string_view text);
 
@@ -126,13 +127,14 @@ void write_numbers(const Handle& group, const std::string& name, std::span<const
 /// Names of the objects in a group.
 [[nodiscard]] std::vector<std::string> names(const Handle& group);
 [[nodiscard]] std::string read_text_attribute(const Handle& object, const char* name);
-[[nodiscard]] int read_int_attribute(const Handle& object, const char* name);
 
 /// A link `name` in `group` to an object of the same file.
 void link_soft(const Handle& group, const std::string& name, const std::string& object);
 /// A link `name` in `group` to an object of another file, whose path is relative to the folder of this one.
 void link_external(const Handle& group, const std::string& name, const std::string& file, const std::string& object);
 
+/// Whether a group has a member with this name.
+[[nodiscard]] bool has_member(const Handle& group, const char* name);
 /// Copies a group, or a dataset, from another file or place without decompressing it.
 void copy_object(const Handle& from, const std::string& object, const Handle& to, const std::string& name);
 

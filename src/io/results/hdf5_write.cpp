@@ -211,13 +211,12 @@ std::vector<unsigned char> shuffled_and_deflated(std::span<const double> numbers
   return deflated;
 }
 
-} // namespace
-
+/// Writes fields whose chunks are compressed by all threads.
 void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
                     std::string_view units)
 {
   if (shape.size() != 3)
-    throw InternalError(fmt::format("write_deflated: the shape has {} sides; allowed: 3", shape.size()));
+    throw InternalError(fmt::format("write_fields: the shape has {} sides; allowed: 3", shape.size()));
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
   const std::vector<hsize_t> sides = sides_of_chunk(dims);
   std::vector<Chunk> chunks_of_all;
@@ -256,6 +255,8 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
   }
 }
 
+} // namespace
+
 template <typename Number>
 void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
@@ -273,6 +274,15 @@ template void write_dataset(const Handle&, const char*, const std::vector<double
                             std::string_view, std::string_view, Storage);
 template void write_dataset(const Handle&, const char*, const std::vector<int>&, std::span<const std::size_t>,
                             std::string_view, std::string_view, Storage);
+
+void write_fields(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
+                  std::string_view units, Storage storage)
+{
+  if (storage == Storage::deflated)
+    return write_deflated(group, fields, shape, units);
+  for (const Field& field : fields)
+    write_dataset(group, field.name, field.values, shape, units, field.long_name, storage);
+}
 
 void write_text(const Handle& group, const char* name, std::string_view text)
 {

@@ -6,10 +6,8 @@
 #include "io/scenarios/scenario_io.hpp"
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace brinell::io
 {
@@ -20,23 +18,6 @@ namespace
 IoError failure(const std::filesystem::path& path, const char* problem)
 {
   return IoError(fmt::format("{}: {}: {}", path.string(), problem, std::strerror(errno)));
-}
-
-/// The numbers of a row. @throws IoError
-std::vector<double> parsed_row(const std::string& line, std::size_t count, const std::filesystem::path& path)
-{
-  std::vector<double> values;
-  const char* place = line.data();
-  const char* end = line.data() + line.size();
-  for (double value = 0.0; values.size() < count; ++place)
-  {
-    const auto [after, error] = std::from_chars(place, end, value);
-    if (error != std::errc{} || (values.size() + 1 < count ? after == end || *after != ',' : after != end))
-      throw IoError(fmt::format("{}: is damaged at \"{}\"; begin the run anew, without --resume", path.string(), line));
-    values.push_back(value);
-    place = after;
-  }
-  return values;
 }
 
 /// The columns of a history without rows.
@@ -75,53 +56,40 @@ void add_row(std::vector<HistoryColumn>& table, const std::vector<NamedNumber>& 
     table[c].values.push_back(std::visit([](auto number) { return static_cast<double>(number); }, row[c].value));
 }
 
-HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record, int kept,
-                             std::string_view sum)
-    : path_(std::move(path)), sum_(std::make_unique<Checksum>())
+HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record,
+                             const Archive::Fields* checkpoint)
+    : path_(std::move(path)), columns_(columns_of(record))
 {
-  columns_ = columns_of(record);
-  const std::string header = history_header(record) + '\n';
-  if (kept > 0)
-    keep_rows(header, kept, sum);
-  else
+  if (checkpoint)
   {
-    sum_->add(header);
-    replace_file(path_, header);
+    Archive archive(*checkpoint);
+    archive("history", *this);
   }
+  std::string text = history_header(record) + '\n';
+  std::vector<NamedNumber> row = record;
+  for (std::size_t i = 0; i < rows(); ++i)
+  {
+    for (std::size_t c = 0; c < row.size(); ++c)
+      std::visit([value = columns_[c].values[i]](auto& number)
+                 { number = static_cast<std::decay_t<decltype(number)>>(value); },
+                 row[c].value);
+    text += history_row(row) + '\n';
+  }
+  replace_file(path_, text);
   file_.reset(std::fopen(path_.c_str(), "a"));
   if (!file_)
     throw failure(path_, "cannot be written");
 }
 
-HistoryWriter::~HistoryWriter() = default;
-
-std::string HistoryWriter::checksum() const
+void HistoryWriter::exchange(Archive& archive)
 {
-  return sum_->text();
-}
-
-/// Keeps the rows of the first steps and removes the following ones.
-void HistoryWriter::keep_rows(const std::string& header, int count, std::string_view sum)
-{
-  std::ifstream stream(path_, std::ios::binary);
-  std::string text;
-  std::string line;
-  for (int i = 0; i <= count; ++i)
+  for (HistoryColumn& column : columns_)
   {
-    if (!std::getline(stream, line) || (i == 0 && line + '\n' != header))
-      throw IoError(fmt::format("{}: is not the history that the checkpoint belongs to", path_.string()));
-    text += line + '\n';
-    if (i == 0)
-      continue;
-    const std::vector<double> values = parsed_row(line, columns_.size(), path_);
-    for (std::size_t c = 0; c < values.size(); ++c)
-      columns_[c].values.push_back(values[c]);
+    archive.list(std::string(column.name), column.values);
+    if (column.values.size() != rows())
+      throw InputError(
+          fmt::format("the stored history has {} rows, but {} of {}", rows(), column.values.size(), column.name));
   }
-  stream.close();
-  sum_->add(text);
-  if (!sum.empty() && sum_->text() != sum)
-    throw IoError(fmt::format("{}: is damaged; begin the run anew, without --resume", path_.string()));
-  replace_file(path_, text);
 }
 
 void HistoryWriter::add(const std::vector<NamedNumber>& row)
@@ -129,7 +97,6 @@ void HistoryWriter::add(const std::vector<NamedNumber>& row)
   const std::string line = history_row(row) + '\n';
   if (std::fputs(line.c_str(), file_.get()) < 0 || std::fflush(file_.get()) != 0)
     throw failure(path_, "cannot be written");
-  sum_->add(line);
   add_row(columns_, row);
 }
 

@@ -65,13 +65,6 @@ fs::path made_folder(const fs::path& path)
   return path;
 }
 
-struct Checkpoint
-{
-  int step = 0;            ///< last finished step
-  std::string history_sum; ///< checksum of history.csv up to this step
-  Archive::Fields fields;
-};
-
 /// Identifies the build, because a checkpoint of another build may lead to other digits or have another state.
 std::string program()
 {
@@ -80,8 +73,7 @@ std::string program()
 }
 
 /// Writes a checkpoint field by field, so that no copy of the state is kept in memory.
-void write_checkpoint(const fs::path& path, int step, const std::string& history_sum,
-                      const std::function<void(Archive&)>& state)
+void write_checkpoint(const fs::path& path, const std::function<void(Archive&)>& state)
 {
   constexpr std::size_t around = 1 << 18, around_a_field = 1 << 10; // bytes
   std::size_t size = around;
@@ -91,9 +83,7 @@ void write_checkpoint(const fs::path& path, int step, const std::string& history
   Replacement replacement(path);
   replacement.require_room(size);
   h5::Handle file = h5::create_file(replacement.part());
-  h5::write_attribute(file, "step", step);
   h5::write_attribute(file, "program", program());
-  h5::write_attribute(file, "history", history_sum);
   Archive written([&](const std::string& name, std::span<const double> values)
                   { h5::write_numbers(file, name, values); });
   state(written);
@@ -102,33 +92,21 @@ void write_checkpoint(const fs::path& path, int step, const std::string& history
   replacement.commit();
 }
 
-/// The number of the last step according to the state; -1 if the state does not contain it.
-double last_step(const Archive::Fields& fields)
-{
-  for (const char* name : {"last.step", "summary.last.step"}) // depends on the scenario
-    if (const auto found = fields.find(name); found != fields.end() && !found->second.empty())
-      return found->second.front();
-  return -1.0;
-}
-
-Checkpoint content_of_checkpoint(const fs::path& path)
+Archive::Fields content_of_checkpoint(const fs::path& path)
 {
   const h5::Handle file = h5::open_file(path);
   if (const std::string written_by = h5::read_text_attribute(file, "program"); written_by != program())
     throw InputError(fmt::format("{}: was written by brinell {}, this is {}; resume with that program, or run without "
                                  "--resume",
                                  path.string(), written_by, program()));
-  Checkpoint checkpoint{h5::read_int_attribute(file, "step"), h5::read_text_attribute(file, "history"), {}};
+  Archive::Fields fields;
   for (const std::string& name : h5::names(file))
-    checkpoint.fields[name] = h5::read_numbers(file, name);
-  if (checkpoint.step < 0 || last_step(checkpoint.fields) != checkpoint.step)
-    throw damaged_file(
-        path, fmt::format("it is of step {}, but its state of step {}", checkpoint.step, last_step(checkpoint.fields)));
-  return checkpoint;
+    fields[name] = h5::read_numbers(file, name);
+  return fields;
 }
 
 /// Reads a checkpoint. Its seal is checked before HDF5 opens it, because HDF5 does not protect itself against damaged files.
-std::optional<Checkpoint> read_checkpoint(const fs::path& path)
+std::optional<Archive::Fields> read_checkpoint(const fs::path& path)
 {
   if (!fs::exists(path))
     return std::nullopt;
@@ -150,7 +128,7 @@ InputError nothing_to_resume(const fs::path& folder)
 }
 
 /// The checkpoint from which a run can resume; none if it was stopped before the first one.
-std::optional<Checkpoint> resumable(const fs::path& folder, const Case& c)
+std::optional<Archive::Fields> resumable(const fs::path& folder, const Case& c)
 {
   const bool is_complete = fs::exists(folder / "summary.json");
   if (!fs::is_regular_file(folder / "resolved.toml"))
@@ -187,23 +165,20 @@ struct ResultDirectory::State
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
         lock(path), checkpoint(checkpoint_to_resume(path, c, mode)),
         replaced(!checkpoint && remove_earlier_result(path) && mode == Mode::replace),
-        history(path / "history.csv", columns_of(c.scenario), finished_steps(),
-                checkpoint ? checkpoint->history_sum : ""),
-        result(path, c, history.columns(), fields ? &*fields : nullptr)
+        history(path / "history.csv", columns_of(c.scenario), checkpoint ? &*checkpoint : nullptr),
+        result(path, c, history.columns(), checkpoint ? &*checkpoint : nullptr)
   {
     write_resolved(path / "resolved.toml", c.values);
   }
 
-  static std::optional<Checkpoint> checkpoint_to_resume(const fs::path& folder, const Case& c, Mode mode)
+  static std::optional<Archive::Fields> checkpoint_to_resume(const fs::path& folder, const Case& c, Mode mode)
   {
     return mode == Mode::resume ? resumable(folder, c) : std::nullopt;
   }
-  [[nodiscard]] int finished_steps() const { return checkpoint ? checkpoint->step + 1 : 0; }
 
   fs::path path;
   FolderLock lock; // acquired before any file in the folder is changed
-  std::optional<Checkpoint> checkpoint;
-  std::optional<Archive::Fields> fields = checkpoint ? std::optional(std::move(checkpoint->fields)) : std::nullopt;
+  std::optional<Archive::Fields> checkpoint;
   bool replaced;
   HistoryWriter history;
   ResultFile result;
@@ -224,12 +199,12 @@ bool ResultDirectory::replaced() const
 
 std::optional<Archive::Fields> ResultDirectory::take_checkpoint()
 {
-  return std::exchange(state_->fields, std::nullopt);
+  return std::exchange(state_->checkpoint, std::nullopt);
 }
 
 int ResultDirectory::finished_steps() const
 {
-  return state_->finished_steps();
+  return static_cast<int>(state_->history.rows());
 }
 
 void ResultDirectory::add(const std::vector<NamedNumber>& columns)
@@ -242,14 +217,15 @@ void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, con
   state_->result.add_step(step, columns, fields);
 }
 
-void ResultDirectory::add_checkpoint(int step, const std::function<void(Archive&)>& state)
+void ResultDirectory::add_checkpoint(const std::function<void(Archive&)>& state)
 {
-  const auto with_pieces = [&](Archive& archive)
+  const auto with_results = [&](Archive& archive)
   {
     state(archive);
+    archive("history", state_->history);
     archive("result", state_->result);
   };
-  write_checkpoint(state_->path / checkpoint_file, step, state_->history.checksum(), with_pieces);
+  write_checkpoint(state_->path / checkpoint_file, with_results);
 }
 
 void ResultDirectory::add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns)

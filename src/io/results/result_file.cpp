@@ -9,6 +9,7 @@
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
 #include "io/files.hpp"
+#include "surface_fields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,28 +38,14 @@ constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
 using simulation::StepFields;
 using simulation::TensorField;
 
-/// Whether a field has a dataset. Fields of bodies that stay elastic may be empty and are not stored.
-bool is_stored(const std::vector<double>& field)
-{
-  return !field.empty();
-}
-
 void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                   h5::Storage storage)
 {
-  const h5::Handle group = h5::create_group(parent, name);
-  if (storage == h5::Storage::deflated)
-  {
-    std::vector<h5::Field> fields;
-    for (std::size_t c = 0; c < components.size(); ++c)
-      fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
-    h5::write_deflated(group, fields, shape, units);
-    return;
-  }
+  std::vector<h5::Field> fields;
   for (std::size_t c = 0; c < components.size(); ++c)
-    h5::write_dataset(group, components[c], field[c], shape, units, fmt::format("{}, {}", long_name, components[c]),
-                      storage);
+    fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
+  h5::write_fields(h5::create_group(parent, name), fields, shape, units, storage);
 }
 
 std::vector<double> von_mises_field(const TensorField& stress)
@@ -84,32 +71,24 @@ h5::Storage storage_of(Place place, h5::Storage on_disk)
   return place == Place::memory ? h5::Storage::contiguous : on_disk;
 }
 
+/// Writes those fields on a surface that exist; fields of bodies that stay elastic may be empty.
+void write_fields(const h5::Handle& group, std::span<const SurfaceField> fields, std::span<const std::size_t> shape,
+                  Place place)
+{
+  for (const SurfaceField& field : fields)
+    if (!field.values.empty())
+      h5::write_dataset(group, field.name, field.values, shape, field.unit, field.text,
+                        storage_of(place, h5::Storage::deflated));
+}
+
 void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot, Place place)
 {
-  const h5::Storage storage = storage_of(place, h5::Storage::deflated);
   const h5::Handle group = h5::create_group(parent, "contact");
   const SurfaceGrid& grid = snapshot.contact;
   h5::write_attribute(group, "spacing", std::array{grid.dx, grid.dy});
   h5::write_attribute(group, "origin", std::array{snapshot.x0, snapshot.y0});
-  const std::array shape{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)};
-  h5::write_dataset(group, "pressure", snapshot.pressure, shape, "Pa", "contact pressure, compression positive",
-                    storage);
-  h5::write_dataset(group, "gap", snapshot.gap, shape, "m", "gap between the deformed surfaces", storage);
-  const auto write = [&](const char* name, const std::vector<double>& field, const char* unit, const char* text)
-  {
-    if (is_stored(field))
-      h5::write_dataset(group, name, field, shape, unit, text, storage);
-  };
-  write("shear_x", snapshot.shear[0], "Pa", "shear on the lower body along x");
-  write("shear_y", snapshot.shear[1], "Pa", "shear on the lower body along y");
-  write("slip_x", snapshot.slip[0], "m", "slip of the upper surface over the lower one since the start, along x");
-  write("slip_y", snapshot.slip[1], "m", "slip of the upper surface over the lower one since the start, along y");
-  write("slip_path", snapshot.slip_path, "m", "length of the way slipped since the start");
-  write("friction_heat", snapshot.friction_heat, "J/m^2", "heat of friction since the start");
-  write("temperature_lower", snapshot.temperature[0], "degC", "temperature of the lower surface");
-  write("temperature_upper", snapshot.temperature[1], "degC", "temperature of the upper surface");
-  write("heat_flux_lower", snapshot.heat_flux[0], "W/m^2", "heat of friction into the lower body");
-  write("heat_flux_upper", snapshot.heat_flux[1], "W/m^2", "heat of friction into the upper body");
+  write_fields(group, surface_fields(snapshot),
+               std::array{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)}, place);
 }
 
 /// Writes the fields within a body one after the other, so that only one of them is in memory at a time.
@@ -134,25 +113,17 @@ void write_within(const h5::Handle& group, const StepFields::Within& within, std
 
 /// Copies the fields within a body from the group of a body with the same fields, so that they are neither computed nor
 /// compressed again.
-void copy_within(const h5::Handle& alike, const h5::Handle& group, const StepFields::Within& within)
+void copy_within(const h5::Handle& alike, const h5::Handle& group)
 {
-  const auto copy = [&](bool is_there, const char* name)
-  {
-    if (is_there)
+  for (const char* name : {"equivalent_plastic_strain", "temperature", "plastic_strain", "stress", "von_mises_stress"})
+    if (h5::has_member(alike, name))
       h5::copy_object(alike, name, group, name);
-  };
-  copy(static_cast<bool>(within.equivalent_plastic_strain), "equivalent_plastic_strain");
-  copy(static_cast<bool>(within.temperature), "temperature");
-  copy(static_cast<bool>(within.plastic_strain), "plastic_strain");
-  copy(static_cast<bool>(within.stress), "stress");
-  copy(static_cast<bool>(within.stress), "von_mises_stress");
 }
 
 /// @param alike  group of a body with the same fields within; nullptr: there is none
 h5::Handle write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
                       const StepFields::Within& within, Place place, const h5::Handle* alike)
 {
-  const h5::Storage deflated = storage_of(place, h5::Storage::deflated);
   h5::Handle group = h5::create_group(parent, name);
   const VolumeGrid& grid = body.grid;
   const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
@@ -162,18 +133,9 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
   h5::write_attribute(group, "contact_x", body.contact_x);
   const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
                           static_cast<std::size_t>(grid.surface.nx)};
-  const std::span surface = std::span(volume).subspan(1);
-  if (is_stored(body.residual_displacement))
-    h5::write_dataset(group, "residual_displacement", body.residual_displacement, surface, "m",
-                      "residual displacement of the surface, into the body", deflated);
-  if (is_stored(body.worn_depth))
-    h5::write_dataset(group, "worn_depth", body.worn_depth, surface, "m",
-                      "depth that the surface has lost by wear since the start", deflated);
-  if (is_stored(body.height))
-    h5::write_dataset(group, "height", body.height, surface, "m",
-                      "height of the surface as it is now, with its texture, out of the body", deflated);
+  write_fields(group, surface_fields(body), std::span(volume).subspan(1), place);
   if (alike != nullptr)
-    copy_within(*alike, group, within);
+    copy_within(*alike, group);
   else
     write_within(group, within, volume, place);
   return group;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -166,9 +165,6 @@ private:
   std::optional<h5::Handle> data_;
 };
 
-/// Value outside a grid of fields that were not computed there, but are not zero.
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// @param up  direction into the body: 1 up, -1 down. The layers of a dataset go from the surface into the body, and a virtual
 ///            dataset cannot reverse their order, so the axis is reversed instead.
 void write_volume(Block block, Body which, const BodyLayout& body, double up)
@@ -220,30 +216,15 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
   const SurfaceGrid& s = body.grid.surface;
   block.place({s.nx - 1, s.ny - 1, 0}, {body.x0, body.y0, 0.0}, {s.dx, s.dy, body.grid.dz});
   block.begin("PointData");
-  if (body.has_residual_displacement)
-    block.add_field("residual_displacement", Block::Kind::of_surface, which, unknown);
-  if (body.has_worn_depth)
-    block.add_field("worn_depth", Block::Kind::of_surface, which, unknown);
-  if (body.has_height)
-    block.add_field("height", Block::Kind::of_surface, which, unknown);
-  if (contact == nullptr)
-    return;
-  const auto add = [&](const char* name, double elsewhere)
-  { block.add(name, cells(s), elsewhere, [&, name](const StateLayout& l) { return contact_part(name, l, body); }); };
-  add("pressure", 0.0);
-  add("gap", unknown);
-  if (contact->has_shear)
-    for (const char* name : {"shear_x", "shear_y"})
-      add(name, 0.0);
-  if (contact->has_slip)
-    for (const char* name : {"slip_x", "slip_y", "slip_path", "friction_heat"})
-      add(name, 0.0);
-  for (const char* name : {"temperature_lower", "temperature_upper"})
-    if (contact->has_temperature)
-      add(name, unknown);
-  for (const char* name : {"heat_flux_lower", "heat_flux_upper"})
-    if (contact->has_temperature)
-      add(name, 0.0);
+  body.surface.for_each([&](const SurfaceField& field)
+                        { block.add_field(field.name, Block::Kind::of_surface, which, field.elsewhere); });
+  if (contact != nullptr)
+    contact->fields.for_each(
+        [&](const SurfaceField& field)
+        {
+          block.add(field.name, cells(s), field.elsewhere,
+                    [&](const StateLayout& layout) { return contact_part(field.name, layout, body); });
+        });
 }
 
 BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::StepFields::Within& within)
@@ -251,12 +232,10 @@ BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::Ste
   return {.grid = body.grid,
           .x0 = body.x0,
           .y0 = body.y0,
-          .has_residual_displacement = !body.residual_displacement.empty(),
+          .surface = FieldsThere(body),
           .has_plastic_strain = static_cast<bool>(within.plastic_strain),
           .has_stress = static_cast<bool>(within.stress),
-          .has_worn_depth = !body.worn_depth.empty(),
-          .has_temperature = static_cast<bool>(within.temperature),
-          .has_height = !body.height.empty()};
+          .has_temperature = static_cast<bool>(within.temperature)};
 }
 
 } // namespace
@@ -271,12 +250,10 @@ void BodyLayout::exchange(Archive& archive)
   archive("dz", grid.dz);
   archive("x0", x0);
   archive("y0", y0);
-  archive("has_residual_displacement", has_residual_displacement);
+  archive("surface", surface);
   archive("has_plastic_strain", has_plastic_strain);
   archive("has_stress", has_stress);
-  archive("has_worn_depth", has_worn_depth);
   archive("has_temperature", has_temperature);
-  archive("has_height", has_height);
 }
 
 void ContactLayout::exchange(Archive& archive)
@@ -285,9 +262,7 @@ void ContactLayout::exchange(Archive& archive)
   archive("ny", ny);
   archive("column", column);
   archive("row", row);
-  archive("has_shear", has_shear);
-  archive("has_slip", has_slip);
-  archive("has_temperature", has_temperature);
+  archive("fields", fields);
 }
 
 void StateLayout::exchange(Archive& archive)
@@ -302,6 +277,9 @@ StateLayout layout_of(const simulation::StepFields& fields)
   const simulation::Snapshot& snapshot = fields.surfaces;
   const simulation::BodySnapshot& lower = snapshot.lower;
   const SurfaceGrid& grid = snapshot.contact;
+  FieldsThere contact(snapshot);
+  constexpr std::size_t shear_x = 2, shear_y = 3; // in surface_fields
+  contact[shear_y] = contact[shear_x];            // a component that never acts is shown as zero
   const double x = snapshot.x0 + lower.contact_x - lower.x0, y = snapshot.y0 - lower.y0;
   return {.lower = layout_of(lower, fields.lower),
           .upper = layout_of(snapshot.upper, fields.upper),
@@ -309,9 +287,7 @@ StateLayout layout_of(const simulation::StepFields& fields)
                       .ny = grid.ny,
                       .column = static_cast<int>(std::lround(x / grid.dx)),
                       .row = static_cast<int>(std::lround(y / grid.dy)),
-                      .has_shear = !snapshot.shear[0].empty(),
-                      .has_slip = !snapshot.slip_path.empty(),
-                      .has_temperature = !snapshot.temperature[0].empty()}};
+                      .fields = contact}};
 }
 
 void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states)
@@ -337,7 +313,7 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
   if (has_volume(upper))
     write_volume(block("upper_volume", "upper"), &StateLayout::upper, upper, 1.0);
   write_surface(block("lower_surface", "lower"), &StateLayout::lower, lower, &contact);
-  if (upper.has_residual_displacement || upper.has_worn_depth || upper.has_height)
+  if (upper.surface.any())
     write_surface(block("upper_surface", "upper"), &StateLayout::upper, upper, nullptr);
   if (states.size() > 1)
     Block(root, "Steps", "", count, states).imitate_steps();

@@ -4,6 +4,7 @@
 #include "brinell/foundation/archive.hpp"
 #include "brinell/simulation/scenario.hpp"
 #include "hdf5.hpp"
+#include "surface_fields.hpp"
 
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct BodyLayout
 {
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
-  bool has_residual_displacement = false, has_plastic_strain = false, has_stress = false, has_worn_depth = false,
-       has_temperature = false, has_height = false;
+  FieldsThere<simulation::BodySnapshot> surface;
+  bool has_plastic_strain = false, has_stress = false, has_temperature = false;
 
   void exchange(Archive& archive);
 };
@@ -29,7 +30,7 @@ struct ContactLayout
 {
   int nx = 0, ny = 0;
   int column = 0, row = 0; ///< indices, in the lower body's grid, of the first column and row of the contact
-  bool has_shear = false, has_slip = false, has_temperature = false;
+  FieldsThere<simulation::Snapshot> fields;
 
   void exchange(Archive& archive);
 };

@@ -43,7 +43,7 @@ TEST(CaseDifference, NamesKeysWithBothValues)
   EXPECT_EQ(case_difference(resolved, with(resolved, "depth = 2e-06 # m", "depth = 3e-06 # m")),
             "lower.texture[1].depth = 2e-06 there, 3e-06 here");
   EXPECT_EQ(case_difference(resolved, with(resolved, "resolution = 5.0\n", "spacing = [1.0, 1.0, 1.0] # m\n")),
-            "grid.spacing = not set there, [1.0, 1.0, 1.0] here; grid.resolution = 5.0 there, not set here");
+            "grid.resolution = 5.0 there, not set here; grid.spacing = not set there, [1.0, 1.0, 1.0] here");
 }
 
 TEST(CaseDifference, IsShort)

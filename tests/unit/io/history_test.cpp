@@ -43,41 +43,60 @@ TEST(History, NumbersReadBackTheSame)
 TEST(History, RowsAreThereBeforeTheFileIsClosed)
 {
   const sample::TemporaryFolder folder;
-  HistoryWriter writer(folder.path() / "history.csv", sample::columns(0), 0);
+  HistoryWriter writer(folder.path() / "history.csv", sample::columns(0));
   writer.add(sample::columns(0));
   EXPECT_EQ(sample::file_text(folder.path() / "history.csv"),
             history_header(sample::columns(0)) + "\n" + history_row(sample::columns(0)) + "\n");
 }
 
-TEST(History, KeepsTheRowsOfTheFirstSteps)
+TEST(History, GoesOnAfterTheRowsOfTheCheckpoint)
 {
   const sample::TemporaryFolder folder;
   const auto path = folder.path() / "history.csv";
-  for (HistoryWriter writer(path, sample::columns(0), 0); const int step : {0, 1, 2})
-    writer.add(sample::columns(step));
-  const std::string all = sample::file_text(path);
-  const HistoryWriter resumed(path, sample::columns(0), 2);
+  Archive checkpoint;
+  std::string all;
+  {
+    HistoryWriter writer(path, sample::columns(0));
+    writer.add(sample::columns(0));
+    writer.add(sample::columns(1));
+    checkpoint("history", writer);
+    writer.add(sample::columns(2));
+    all = sample::file_text(path);
+  }
+  std::ofstream(path) << "damaged";
+  HistoryWriter resumed(path, sample::columns(0), &checkpoint.fields());
   EXPECT_EQ(sample::file_text(path), all.substr(0, all.find("\n2,") + 1));
   EXPECT_EQ(resumed.columns()[0].values, (std::vector{0.0, 1.0}));
   EXPECT_EQ(resumed.columns()[2].values, (std::vector{sample::record(0).X, sample::record(1).X}));
   EXPECT_TRUE(resumed.columns()[0].is_integer);
   EXPECT_FALSE(resumed.columns()[2].is_integer);
+  resumed.add(sample::columns(2));
+  EXPECT_EQ(sample::file_text(path), all);
 }
 
-TEST(History, DamagedRowsAreNotGoneOnFrom)
+TEST(History, RefusesACheckpointWithOtherRows)
 {
   const sample::TemporaryFolder folder;
   const auto path = folder.path() / "history.csv";
-  for (const char* row : {"0,0,oh", "0,0", ""})
+  HistoryWriter writer(path, sample::columns(0));
+  writer.add(sample::columns(0));
+  Archive checkpoint;
+  checkpoint("history", writer);
+  for (const char* name : {"history.X", "history.X.size"})
   {
-    std::ofstream(path) << history_header(sample::columns(0)) << '\n' << row << '\n';
-    EXPECT_THROW(HistoryWriter(path, sample::columns(0), 1), IoError) << row;
+    Archive::Fields fields = checkpoint.fields();
+    fields.erase(name);
+    EXPECT_THROW(HistoryWriter(path, sample::columns(0), &fields), InputError) << name;
   }
+  Archive::Fields fields = checkpoint.fields();
+  fields["history.X"] = {1.0, 2.0};
+  fields["history.X.size"] = {2.0};
+  EXPECT_THROW(HistoryWriter(path, sample::columns(0), &fields), InputError);
 }
 
 TEST(History, SaysThatItCannotBeWritten)
 {
-  EXPECT_THROW(HistoryWriter("/nowhere/history.csv", sample::columns(0), 0), IoError);
+  EXPECT_THROW(HistoryWriter("/nowhere/history.csv", sample::columns(0)), IoError);
 }
 
 } // namespace

@@ -72,14 +72,14 @@ TEST(Results, FieldsDeflatedByAllThreadsHaveTheBytesOfHdf5)
                             h5::Field{"some", some, "half of it"}};
     const h5::Handle file = h5::create_file_in_memory();
     const h5::Handle here = h5::create_group(file, "here"), there = h5::create_group(file, "there");
-    h5::write_deflated(here, fields, shape, "Pa");
+    h5::write_fields(here, fields, shape, "Pa", h5::Storage::deflated);
     for (const std::vector<double>* field : {&rough, &empty, &some})
       h5::write_dataset(there, field == &rough ? "rough" : field == &empty ? "empty" : "some", *field, shape, "Pa", "");
     EXPECT_NO_THROW(h5::require_same_datasets(here, there)) << shape[0];
     EXPECT_NO_THROW(h5::require_same_datasets(there, here)) << shape[0];
     some.back() += 1.0;
     const h5::Handle other = h5::create_group(file, "other");
-    h5::write_deflated(other, fields, shape, "Pa");
+    h5::write_fields(other, fields, shape, "Pa", h5::Storage::deflated);
     EXPECT_THROW(h5::require_same_datasets(here, other), IoError) << "the comparison must tell one number";
   }
 }

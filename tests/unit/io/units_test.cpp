@@ -3,6 +3,7 @@
 #include "brinell/io/units.hpp"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace brinell::io
 {
@@ -63,6 +64,17 @@ TEST(Units, ATemperatureIsReadFromItsOwnZero)
     EXPECT_THROW((void)degrees_celsius(bad), InputError) << bad;
 }
 
+TEST(Units, AnglesAreInDegrees)
+{
+  EXPECT_EQ(degrees("70.3 deg"), 70.3);
+  EXPECT_EQ(degrees("-70.3°"), -70.3);
+  EXPECT_DOUBLE_EQ(degrees("0.5 rad"), 90.0 / std::numbers::pi);
+  EXPECT_DOUBLE_EQ(degrees("500 mrad"), degrees("0.5 rad"));
+  EXPECT_DOUBLE_EQ(quantity("5 mrad/mm").value, 5.0);
+  for (const char* bad : {"", "20", "rad", "20 deg/mm", "nan deg", "20 urad", "20 mm"})
+    EXPECT_THROW((void)degrees(bad), InputError) << bad;
+}
+
 class BadQuantity : public testing::TestWithParam<const char*>
 {
 };
@@ -95,6 +107,7 @@ TEST(Units, SayWhatIsMeantBySmallAndCapitalLetters)
   EXPECT_NE(message("900 mpa").find("did you mean MPa or mPa?"), std::string::npos) << message("900 mpa");
   EXPECT_NE(message("5 n/mm^2").find("did you mean N?"), std::string::npos) << message("5 n/mm^2");
   EXPECT_EQ(message("3 furlong").find("did you mean"), std::string::npos);
+  EXPECT_NE(message("3 furlong").find("W, rad with the prefixes"), std::string::npos) << message("3 furlong");
   EXPECT_NE(message("6,35 mm").find("has a comma in its number"), std::string::npos) << message("6,35 mm");
 }
 

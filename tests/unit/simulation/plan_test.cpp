@@ -120,7 +120,7 @@ TEST(PlanTest, TuggingTakesWhatCanPass)
     t.upper.shape = shape;
     EXPECT_EQ(refusal(t),
               "upper.shape has no radius > 0 in the plane of motion and cannot pass another body; allowed in "
-              "tugging: paraboloids with radius_x > 0, and rollers");
+              "tugging: spheres, ellipsoids with radius_x > 0, and cylinders");
     EXPECT_FALSE(passing_radius(shape).has_value());
   }
   // Two endless cylinders touch in a line without ends.

@@ -6,6 +6,7 @@
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/run.hpp"
 #include "scenario_checks.hpp"
+#include "sliding_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,26 +23,15 @@ namespace
 {
 
 using Kind = contact::Drive::Kind;
+using test::period;
+using test::soft;
+using test::steel;
 
-const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
-const constitutive::Material soft{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
-
-constexpr double period = 33e-6;
 constexpr double cell = 1e-6;
 
-/// Waves on both of two steels, in a period.
 SlidingCase waves()
 {
-  SlidingCase c;
-  c.lower = {Plane{}, soft};
-  c.upper = {Plane{}, steel};
-  c.lower.texture = Sinusoid{0.2e-6, period, period, 3e-6, -2e-6};
-  c.upper.texture = Sinusoid{0.1e-6, period, 0.5 * period, -5e-6, 1e-6};
-  c.domain.x = c.domain.y = {Boundary::periodic, period, 33};
-  c.press = {Kind::load, 0.2};
-  c.press_steps = 2;
-  c.distance = 6e-6;
-  return c;
+  return test::waves(33, 6);
 }
 
 /// A ball on a flat with a dent.

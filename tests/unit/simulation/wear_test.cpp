@@ -6,6 +6,7 @@
 #include "brinell/simulation/run.hpp"
 #include "brinell/simulation/sliding.hpp"
 #include "scenario_checks.hpp"
+#include "sliding_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,24 +24,14 @@ namespace
 
 using Kind = contact::Drive::Kind;
 using elastoplastic::WearLaw;
+using test::period;
+using test::soft;
+using test::steel;
 
-const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
-const constitutive::Material soft{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
-
-constexpr double period = 33e-6;
-
-/// Waves on both of two steels, in a period.
+/// Waves on both of two steels, in a period, with friction and wear.
 SlidingCase waves()
 {
-  SlidingCase c;
-  c.lower = {Plane{}, soft};
-  c.upper = {Plane{}, steel};
-  c.lower.texture = Sinusoid{0.2e-6, period, period, 3e-6, -2e-6};
-  c.upper.texture = Sinusoid{0.1e-6, period, 0.5 * period, -5e-6, 1e-6};
-  c.domain.x = c.domain.y = {Boundary::periodic, period, 15};
-  c.press = {Kind::load, 0.2};
-  c.press_steps = 2;
-  c.distance = 4.0 * period / 15;
+  SlidingCase c = test::waves(15, 4);
   c.friction.coefficient = 0.2;
   c.wear = {.lower = 2e-13, .upper = 1e-13};
   return c;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/sliding.hpp"
+
+/// Sliding cases of several tests.
+namespace brinell::simulation::test
+{
+
+inline const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
+inline const constitutive::Material soft{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
+
+inline constexpr double period = 33e-6;
+
+/// Waves on both of two steels, in a period.
+/// @param cells  along each axis of the period
+/// @param steps  length of the stroke in cells
+inline SlidingCase waves(int cells, int steps)
+{
+  SlidingCase c;
+  c.lower = {Plane{}, soft};
+  c.upper = {Plane{}, steel};
+  c.lower.texture = Sinusoid{0.2e-6, period, period, 3e-6, -2e-6};
+  c.upper.texture = Sinusoid{0.1e-6, period, 0.5 * period, -5e-6, 1e-6};
+  c.domain.x = c.domain.y = {Boundary::periodic, period, cells};
+  c.press = {contact::Drive::Kind::load, 0.2};
+  c.press_steps = 2;
+  c.distance = steps * period / cells;
+  return c;
+}
+
+} // namespace brinell::simulation::test
