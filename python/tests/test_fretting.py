@@ -117,15 +117,17 @@ def test_cycles_are_those_of_the_history(run: Run) -> None:
     for one in cycles:
         rows = np.flatnonzero(history["cycle"] == one.cycle)
         x, force = (history[name][rows[0] - 1 : rows[-1] + 1] for name in ("displacement", "force"))
-        assert one.work == pytest.approx(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(x)))
+        # The curve of the loop bulges beyond the straight lines between the 16 steps, by 2 to 3 % of its area.
+        polygon = np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(x))
+        assert polygon < one.work < 1.04 * polygon
         assert one.max_force == np.abs(force).max()
         assert one.max_displacement == pytest.approx(0.6e-6)
         assert one.stick_share == history["stick_share"][rows].min()
         assert 0.0 < one.stick_share < 1.0
         assert one.dissipation_plastic == one.max_equivalent_plastic_strain == 0.0
         assert 0.0 < one.slip_amplitude < 0.6e-6
-    # The loop of the second is closed: its work is heat, but for straight steps, 1.6 % of 16.
-    assert cycles[1].work == pytest.approx(cycles[1].dissipation_friction, rel=0.02)
+    # The loop of the second is closed: its work is heat.
+    assert cycles[1].work == pytest.approx(cycles[1].dissipation_friction, rel=1e-5)
     assert sum(one.dissipation_friction for one in cycles) == pytest.approx(history["dissipation_friction"][-1])
 
 

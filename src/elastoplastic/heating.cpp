@@ -107,7 +107,7 @@ struct Heating::State
   std::list<BothResponses> cached_responses{}; ///< cache, most recently used first
   // Of the current increment
   double duration = 0.0, slid = 0.0;
-  std::vector<double> shear_before{};
+  std::vector<double> shear_at_start{};
   TouchingCells touching{};
   // Since the start [J]
   double heat_of_friction = 0.0, work_on_pressure = 0.0;
@@ -166,7 +166,7 @@ void Heating::begin(const Start& start)
   State& s = *state_;
   s.duration = start.duration;
   s.slid = start.slid;
-  s.shear_before.assign(start.shear_before.begin(), start.shear_before.end());
+  s.shear_at_start.assign(start.shear_at_start.begin(), start.shear_at_start.end());
   s.touching.begin(s.contact.size());
   for (std::size_t side = 0; side < 2 && s.duration > 0.0; ++side)
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration, start.slid > 0.0);
@@ -265,7 +265,7 @@ double Heating::follow(std::span<const double> pressure, std::span<const double>
   const double factor = 0.5 * s.settings.fraction * s.slid / s.duration;
   std::vector<double> heat(pressure.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = factor * (std::abs(s.shear_before[i]) + std::abs(shear[i]));
+    heat[i] = factor * (std::abs(s.shear_at_start[i]) + std::abs(shear[i]));
   return s.share_flux(heat, pressure, sharing);
 }
 

@@ -176,6 +176,7 @@ void PartialSlip::begin(Start start)
   set_bound(pressure_before_);
   has_bound_ = false;
   bound_before_ = bound_;
+  is_driven_ = driven_motion() > 0.0;
   start_.tolerance = tolerance_of_slip();
   find_displacement(bodies, pressure_before_, displacement_before_);
   for (std::size_t i = 0; i < bound_.size(); ++i)

@@ -35,6 +35,7 @@ void PartialSlip::settle(const Bodies& bodies)
 {
   state_.sticking = state_.pressed = 0;
   int limited = 0;
+  double beyond_trapezoid = 0.0; // heat beyond the work of the mean shear on the slip, as a sum over cells [J/m^2]
   for (std::size_t i = 0; i < bound_.size(); ++i)
   {
     const double size = std::hypot(state_.shear[0][i], state_.shear[1][i]);
@@ -51,12 +52,27 @@ void PartialSlip::settle(const Bodies& bodies)
     const double heat = 0.5 * (bound_of_onset + bound_[i]) * along;
     state_.heat[i] += heat;
     state_.total_heat += heat * pair_.grid().cell_area();
+    beyond_trapezoid += heat;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      beyond_trapezoid -= 0.5 * (shear_before_[axis][i] + state_.shear[axis][i]) * slip_[axis][i];
     state_.path[i] += std::hypot(slip_[0][i], slip_[1][i]);
     for (std::size_t axis = 0; axis < 2; ++axis)
       state_.slip[axis][i] += slip_[axis][i];
   }
   state_.limited_share = state_.pressed > 0 ? static_cast<double>(limited) / state_.pressed : 0.0;
   add_parting_heat();
+  add_work(carried_[0] == 0 && is_driven_ ? beyond_trapezoid * pair_.grid().cell_area() : 0.0);
+}
+
+/// Adds the work of the forces on the shifts, and of their moment on the spin.
+///
+/// In each cell the motion is the slip plus the change of the displacement of the surfaces. On the latter the trapezoidal rule is
+/// exact as long as the bodies are elastic, in sum over the cells: the displacement is linear in the shear. A cell that begins
+/// to slip does all of its slip under the shear at the bound, however, not under the mean shear of the increment: the work of the
+/// trapezoidal rule is too small by the difference.
+/// @param beyond_trapezoid  that difference [J]; 0 in rolling, where the forces change smoothly, and where nothing is driven
+void PartialSlip::add_work(double beyond_trapezoid)
+{
   const std::array<double, 2> force = forces();
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
@@ -66,6 +82,7 @@ void PartialSlip::settle(const Bodies& bodies)
   }
   state_.turned = start_.along.spin;
   state_.work += 0.5 * (moment_of(shear_before_) + moment_of(state_.shear)) * (state_.turned - before_.turned);
+  state_.work += beyond_trapezoid;
 }
 
 /// Adds slip and heat of points that leave the contact in the increment: they slip until their shear has vanished.

@@ -62,8 +62,8 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
   if (!friction.coupling)
     lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
-  for (std::vector<double>* field :
-       {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch, &state_.upper_stretch, &work_per_area_})
+  for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch,
+                                     &state_.upper_stretch, &work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);
 }
 
@@ -94,6 +94,17 @@ void SlidingInterface::begin(Start start)
     for (std::vector<double>* field : {&state_.shear, &state_.depth})
       std::fill(field->begin(), field->end(), 0.0);
   limit_ = std::move(start.limit);
+  set_shear_at_start(start.bodies.pressure);
+}
+
+void SlidingInterface::set_shear_at_start(std::span<const double> pressure)
+{
+  const bool begins = std::all_of(before_.shear.begin(), before_.shear.end(), [](double q) { return q == 0.0; });
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+  {
+    const double size = begins ? std::min(friction().coefficient * pressure[i], limit_[i]) : std::abs(before_.shear[i]);
+    shear_at_start_[i] = slides_ ? direction_ * size : 0.0;
+  }
 }
 
 SlidingInterface::Change SlidingInterface::follow(const Bodies& bodies)
@@ -156,7 +167,8 @@ void SlidingInterface::find_displacements(const Bodies& bodies)
 }
 
 /// Work of the shear on the displacement of the material under it: by the change within a cell of the contact grid, and because
-/// the cell moves along the bodies. Both parts use the trapezoidal rule.
+/// the cell moves along the bodies. Both parts use the trapezoidal rule. Where surfaces begin to slide, or reverse, the shear
+/// grows in proportion to the displacement that it causes, so that the rule uses the shear before the increment.
 void SlidingInterface::settle(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -172,12 +184,11 @@ void SlidingInterface::settle(const Bodies& bodies)
   state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
 }
 
-/// Where the motion reverses, the shear reverses before the surfaces slide: it always resists the sliding. Hence magnitudes.
 std::vector<double> SlidingInterface::heat_per_area(double slid) const
 {
   std::vector<double> heat(state_.shear.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = 0.5 * slid * (std::abs(before_.shear[i]) + std::abs(state_.shear[i])) - work_per_area_[i];
+    heat[i] = 0.5 * slid * (std::abs(shear_at_start_[i]) + std::abs(state_.shear[i])) - work_per_area_[i];
   return heat;
 }
 
@@ -198,6 +209,11 @@ double SlidingInterface::elastic_energy(std::span<const double> pressure) const
 double SlidingInterface::force() const
 {
   return sum(state_.shear) * pair_.grid().cell_area();
+}
+
+double SlidingInterface::force_at_start() const
+{
+  return sum(shear_at_start_) * pair_.grid().cell_area();
 }
 
 void SlidingInterface::embed(const Interface& smaller)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/fretting.hpp"
 
+#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/error.hpp"
 #include "run_state.hpp"
 
 #include <algorithm>
@@ -67,10 +69,13 @@ public:
     r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
     previous_.F_n = r.F_n;
     previous_.approach = r.approach;
-    if (const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip())
+    const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
+    if (slip != nullptr)
       read(*slip, r);
     if (r.cycle > 0)
       add_to_cycle(r);
+    if (r.cycle > 0 && slip != nullptr)
+      current_.slip_amplitude = 0.25 * paths_.largest_growth(stepper.pair().grid(), slip->path());
     ++done_;
     const int moved = done_ - case_.press_steps;
     if (moved < 0 || moved % case_.steps_per_cycle != 0)
@@ -78,6 +83,8 @@ public:
     if (moved > 0)
       cycles_.push_back(current_);
     begin_cycle(r);
+    if (slip != nullptr)
+      paths_.begin(stepper.pair().grid(), slip->path());
   }
 
   void summarise(FrettingSummary& summary, const StepFields& /*end*/) const { summary.cycles = cycles_; }
@@ -87,6 +94,7 @@ public:
     archive("at", previous_);
     archive("current", current_);
     archive("begun", begun_);
+    archive("begun_paths", paths_);
     archive.list("cycles", cycles_);
     archive("from", from_);
     archive("done", done_, 0, steps_);
@@ -108,15 +116,49 @@ private:
   /// Totals at the beginning of the current cycle.
   struct Begun
   {
-    double along = 0.0, friction = 0.0, plastic = 0.0, path = 0.0; ///< [J], [J], [J], [m]
+    double along = 0.0, friction = 0.0, plastic = 0.0; ///< [J]
 
     void exchange(Archive& archive)
     {
       archive("along", along);
       archive("friction", friction);
       archive("plastic", plastic);
-      archive("path", path);
     }
+  };
+  /// Slip path of each point at the beginning of the current cycle.
+  class Paths
+  {
+  public:
+    void begin(const SurfaceGrid& grid, std::span<const double> path)
+    {
+      columns_ = grid.nx;
+      path_.assign(path.begin(), path.end());
+    }
+    /// Largest growth at a point since then [m]. The contact grid may have grown in the cycle.
+    [[nodiscard]] double largest_growth(const SurfaceGrid& grid, std::span<const double> path) const
+    {
+      SurfaceGrid smaller = grid;
+      smaller.nx = columns_;
+      smaller.ny = columns_ > 0 ? static_cast<int>(path_.size()) / columns_ : 0;
+      if (smaller.nx > grid.nx || smaller.ny > grid.ny || smaller.size() != path_.size())
+        throw InputError("the stored state has slip on a grid that does not fit; run without --resume");
+      std::vector<double> before(grid.size());
+      elastoplastic::embed_field(smaller, path_, grid, before);
+      double largest = 0.0;
+      for (std::size_t i = 0; i < before.size(); ++i)
+        largest = std::max(largest, path[i] - before[i]);
+      return largest;
+    }
+
+    void exchange(Archive& archive)
+    {
+      archive("columns", columns_, 0, 1 << 20);
+      archive.list("path", path_);
+    }
+
+  private:
+    int columns_ = 0;
+    std::vector<double> path_; ///< [m]
   };
 
   [[nodiscard]] bool by_load() const { return case_.press.kind == Drive::Kind::load; }
@@ -166,7 +208,7 @@ private:
 
   void begin_cycle(const FrettingRecord& r)
   {
-    begun_ = {previous_.along, r.dissipation_friction, plastic(r), r.slip_path};
+    begun_ = {previous_.along, r.dissipation_friction, plastic(r)};
     current_ = {};
     current_.stick_share = 1.0;
   }
@@ -180,7 +222,6 @@ private:
     c.dissipation_plastic = plastic(r) - begun_.plastic;
     c.max_force = std::max(c.max_force, std::abs(r.force));
     c.max_displacement = std::max(c.max_displacement, std::abs(r.displacement));
-    c.slip_amplitude = 0.25 * (r.slip_path - begun_.path);
     c.stick_share = std::min(c.stick_share, r.stick_share);
     c.max_equivalent_plastic_strain = r.max_equivalent_plastic_strain;
   }
@@ -193,6 +234,7 @@ private:
   double from_ = 0.0; ///< load or approach at the start
   DriveState previous_;
   Begun begun_;
+  Paths paths_;
   FrettingCycle current_;
   std::vector<FrettingCycle> cycles_;
   int done_ = 0; ///< number of finished steps

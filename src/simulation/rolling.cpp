@@ -83,6 +83,12 @@ public:
     r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
     const double sliding_force = (1.0 - share_) * (share_ < 1.0 ? r.F_friction : -r.F_friction);
     r.F_X += sliding_force;
+    if (is_rolling()) // where it begins to roll, the surfaces slide under the full shear before they move
+    {
+      const double at_start = (1.0 - share_) * stepper.shear_force_at_start();
+      previous_.F_X += at_start - previous_.sliding_force;
+      previous_.sliding_force = at_start;
+    }
     r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
               0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
     r.dissipation_friction +=

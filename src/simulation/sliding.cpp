@@ -88,10 +88,10 @@ public:
     r.F_X = r.F_ploughing + r.F_friction;
     r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
     const DriveState now{r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction};
-    if (sign * previous_.shear < 0.0) // at a reversal the shear changes its sign before the body moves
+    if (moves) // at the beginning and at a reversal the shear is that of the motion before the body moves
     {
-      previous_.F_x -= 2.0 * previous_.shear;
-      previous_.shear = -previous_.shear;
+      previous_.F_x += stepper.shear_force_at_start() - previous_.shear;
+      previous_.shear = stepper.shear_force_at_start();
     }
     const double moved = now.slid - previous_.slid;
     r.work +=

@@ -157,6 +157,7 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
   where_ = where;
   const auto work_so_far = [this] { return pair_->sliding() != nullptr ? pair_->sliding()->work() : 0.0; };
   const double work_before = work_so_far();
+  shear_force_at_start_.reset();
   if (!attempt(path(1.0)))
   {
     ++split_increments_;
@@ -196,6 +197,8 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
       centre_ = target.centre;
       time_ = target.time;
       slid_ = target.slid;
+      if (!shear_force_at_start_ && pair_->sliding() != nullptr)
+        shear_force_at_start_ = pair_->sliding()->force_at_start();
     }
     if (!report.outgrown.any())
       return report;

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace brinell::simulation
@@ -115,6 +116,8 @@ public:
   [[nodiscard]] halfspace::SurfaceLoad load() const;
   /// Work of the shear on the deformation of both surfaces in the last step [J].
   [[nodiscard]] double shear_work() const { return shear_work_; }
+  /// Force along x of the shear with which the surfaces slid at the beginning of the last step, on the lower body [N].
+  [[nodiscard]] double shear_force_at_start() const { return shear_force_at_start_.value_or(0.0); }
   /// Smallest (at most 0) and largest (at least 0) residual displacement of the lower body under the contact grid [m].
   [[nodiscard]] std::pair<double, double> residual_range(const Centre& centre) const;
   [[nodiscard]] bool touching() const;
@@ -151,6 +154,8 @@ private:
   int steps_ = 0; ///< number of finished steps
   int split_increments_ = 0;
   double shear_work_ = 0.0;
+  std::optional<double>
+      shear_force_at_start_;       ///< none before the first piece of a step, and of surfaces that may stick
   Centre centre_{};                ///< of the present state, see Target
   double time_ = 0.0, slid_ = 0.0; ///< of the present state, see Target
   std::vector<GridChange> grid_changes_;

@@ -141,7 +141,7 @@ TEST(Friction, SlidTracksConvergeWithLoadAndFriction)
         runs.push_back(over_edges(cells, numbers));
       const std::string name = fmt::format("slid track, p0/k = {:g}, friction {:g}, ", p0_over_k, friction);
       expect_convergence(name, runs,
-                         {{"resistance", 1.4, 0.03}, {"plastic work over heat", 1.4, 0.03}, {"dent", 1.2, 0.04}});
+                         {{"resistance", 1.4, 0.03}, {"plastic work over heat", 1.3, 0.03}, {"dent", 1.2, 0.04}});
       // The rut is what is left of strain that is mostly shear: an eighth to a third of the dent at the ends of the track.
       test::expect_close(name + "rut, 16 cells over 8, less 1", changes(runs, 3).back(), 0.0, 0.12,
                          "bound: columns and steps at the trailing edge");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/quality.hpp"
 #include "random_field.hpp"
 #include "record.hpp"
@@ -267,11 +269,106 @@ simulation::RollingCase random_creeping(Draw& draw)
   return c;
 }
 
+/// Constants and a speed with Peclet numbers of 0.05 to 30. Each surface expands by up to a third of the approach, and the heat
+/// stresses it by up to twice its yield stress.
+/// @param radius, approach  of the contact [m]
+template <typename Scenario>
+void add_heat(Draw& draw, Scenario& c, double radius, double approach)
+{
+  const double pressure = 0.5 * contact_modulus(c.lower.material.elastic, c.upper.material.elastic) * approach / radius;
+  for (simulation::ShapedBody* body : {&c.lower, &c.upper})
+  {
+    const Material& m = body->material;
+    Thermal thermal{draw.power_of_ten(-1.0, 2.0), draw.power_of_ten(3.0, 4.0), draw.power_of_ten(2.0, 3.3), 0.0};
+    if (!c.speed)
+      c.speed = 2.0 * thermal.diffusivity() * draw.power_of_ten(-1.3, 1.5) / radius;
+    const double peclet = 0.5 * *c.speed * radius / thermal.diffusivity();
+    const double rise =
+        c.friction.coefficient * pressure * *c.speed * radius / (thermal.conductivity * (1.0 + std::sqrt(peclet)));
+    double strain = draw.between(0.0, 0.3) * approach / radius;
+    const double stress = draw.between(0.0, 2.0); // over the yield stress
+    if (m.is_plastic())
+      strain = std::min(strain, stress * initial_yield_stress(*m.hardening) * (1.0 - m.elastic.poisson_ratio) /
+                                    m.elastic.young_modulus);
+    thermal.expansion = strain / rise;
+    if (!m.elastic.is_rigid())
+      body->material.thermal = thermal;
+  }
+  c.heat.of_plastic_work = draw.between(0.0, 1.0);
+  if (draw.chance(0.3))
+    c.heat.partition = draw.between(0.0, 1.0);
+}
+
+TuggingCase random_hot_rubbing(Draw& draw)
+{
+  TuggingCase t = random_rubbing(draw);
+  const simulation::TuggingPlan plan = simulation::plan(t);
+  add_heat(draw, t, plan.elastic_contact_radius, plan.scales.gap);
+  return t;
+}
+
+simulation::RollingCase random_hot_skidding(Draw& draw)
+{
+  simulation::RollingCase c = random_skidding(draw);
+  const simulation::RollingPlan plan = simulation::plan(c);
+  add_heat(draw, c, plan.half_width_x, plan.scales.gap);
+  if (c.upper.material.elastic.is_rigid())
+    c.heat.partition.reset();
+  return c;
+}
+
+/// A cylinder on a flat in plane strain, in place of a point contact; pressed as hard.
+void make_plane(Draw& draw, simulation::FrettingCase& c)
+{
+  const double R = size_of(c.upper.shape);
+  c.lower.shape = simulation::Plane{};
+  c.upper.shape = simulation::Roller{R, std::numeric_limits<double>::infinity()};
+  c.domain.y = {Boundary::periodic, R, 1};
+  const double modulus = contact_modulus(c.lower.material.elastic, c.upper.material.elastic);
+  const double critical =
+      1.7 * modulus * std::sqrt(first_yield(c.lower.material, c.upper.material, R).interference / R);
+  const double p0 = std::min(critical * draw.power_of_ten(-0.5, 0.3), 0.1 * modulus);
+  c.press.value = std::numbers::pi * R * R * p0 * p0 / modulus; // Johnson (1985), Eq. 4.45, over the period
+}
+
+/// Stick and slip to and fro along any direction, from displacements far below that at which all slides to several times that,
+/// or by forces up to nearly that; some with a given limit of the shear.
+simulation::FrettingCase random_fretting(Draw& draw)
+{
+  simulation::FrettingCase c;
+  random_bodies(draw, c, false);
+  randomise_solver(draw, c);
+  c.press = {contact::Drive::Kind::load, random_load(draw, c, size_of(c.upper.shape))};
+  if (draw.chance(0.2))
+    make_plane(draw, c);
+  add_friction(draw, c);
+  c.press_steps = 2 + draw.below(5);
+  c.cycles = 1 + draw.below(2);
+  c.steps_per_cycle = 4 * (2 + draw.below(3));
+  c.direction = draw.chance(0.5) ? 0.0 : draw.between(0.0, 2.0 * std::numbers::pi);
+  const simulation::FrettingPlan plan = simulation::plan(c); // that is not moved yet
+  const double most = c.friction.coefficient * c.press.value;
+  if (draw.chance(0.35))
+  {
+    c.kind = simulation::FrettingCase::Kind::force;
+    c.amplitude = most * draw.between(0.1, 0.9);
+  }
+  else
+    c.amplitude = std::min(plan.sliding_displacement * draw.power_of_ten(-1.0, 0.7), 0.3 * plan.contact_radius);
+  if (draw.chance(0.2))
+    c.friction.shear_limit =
+        most / (std::numbers::pi * plan.contact_radius * plan.contact_radius_y) * draw.between(0.8, 1.6);
+  if (draw.chance(0.3) && c.kind == simulation::FrettingCase::Kind::shift)
+    c.press = {contact::Drive::Kind::approach, plan.scales.gap};
+  return c;
+}
+
 /// Largest excess of the von Mises stress over the yield stress, over the yield stress, in the cells of a body. Only without back
-/// stresses: a snapshot does not tell them.
+/// stresses, which a snapshot does not tell, and without heat, whose stress at the end of a step is not that with which the step was
+/// solved.
 double yield_excess(const simulation::BodySnapshot& body, const Material& material)
 {
-  if (!material.is_plastic() || !material.kinematic.empty())
+  if (!material.is_plastic() || !material.kinematic.empty() || material.thermal)
     return 0.0;
   double largest = 0.0;
   std::visit(
@@ -292,12 +389,35 @@ double yield_excess(const simulation::BodySnapshot& body, const Material& materi
 /// What the runs of one scenario came to.
 struct Outcome
 {
-  int converged = 0, split = 0, grown = 0, compared = 0;
+  int converged = 0, refused = 0, split = 0, grown = 0, compared = 0;
   double evaluations = 0.0, steps = 0.0, largest_excess = 0.0;
   std::vector<double> balance; ///< errors of the energy balance with the path integration
 
+  /// Runs a case. It may be refused for what is known on the way only: a force along the surfaces that is more than they carry, and
+  /// a plastic zone that outgrows the grid of the heat.
   template <typename Scenario>
   void run(const Scenario& c, bool is_compared)
+  {
+    try
+    {
+      look_at(c, is_compared);
+    }
+    catch (const InputError& error)
+    {
+      ++refused;
+      const std::string why = error.what();
+      EXPECT_TRUE(why.find("friction cannot hold the surfaces") != std::string::npos ||
+                  why.find("allowed: a larger grid.extent") != std::string::npos)
+          << why;
+    }
+    catch (const ConvergenceError& error)
+    {
+      ADD_FAILURE() << error.what();
+    }
+  }
+
+  template <typename Scenario>
+  void look_at(const Scenario& c, bool is_compared)
   {
     const auto result = watched(c);
     const simulation::RunTotals& s = result.summary;
@@ -378,7 +498,9 @@ struct Outcome
 
   void expect_sound(const std::string& scenario, double count)
   {
-    test::expect_within(scenario + ": share of cases that converge", converged / count, 1.0, 1.0, "bound: all");
+    test::expect_within(scenario + ": share of cases that converge, or are refused", (converged + refused) / count, 1.0,
+                        1.0, "bound: all");
+    EXPECT_LE(refused, 0.1 * count);
     test::expect_within(scenario + ": evaluations per step, mean", evaluations / steps, 1.0, 20.0,
                         "bound: a third of those allowed");
     test::expect_within(scenario + ": increments that had to be split", split, 0.0, 0.02 * steps,
@@ -393,8 +515,8 @@ struct Outcome
                         "bound: mesh and steps");
     test::expect_within(scenario + ": error of the energy balance, 95 % of the cases", share(0.95), 0.0, 0.12,
                         "bound: mesh and steps");
-    test::expect_within(scenario + ": cases compared with a finer mesh", compared, slow_build ? 0.0 : count / 25.0,
-                        count, "one in twenty");
+    test::expect_within(scenario + ": cases compared with a finer mesh", compared,
+                        slow_build ? 0.0 : count / 25.0 - refused, count, "one in twenty");
   }
 };
 
@@ -434,6 +556,21 @@ TEST(RandomCases, SkiddingConvergesAndBalances)
 TEST(RandomCases, CreepingConvergesAndBalances)
 {
   sweep("rolling with creepage", slow_build ? 5 : 100, random_creeping);
+}
+
+TEST(RandomCases, FrettingConvergesAndBalances)
+{
+  sweep("fretting", slow_build ? 5 : 100, random_fretting);
+}
+
+TEST(RandomCases, HotRubbingConvergesAndBalances)
+{
+  sweep("tugging with heat", slow_build ? 3 : 40, random_hot_rubbing);
+}
+
+TEST(RandomCases, HotSkiddingConvergesAndBalances)
+{
+  sweep("rolling with slip and heat", slow_build ? 3 : 40, random_hot_skidding);
 }
 
 TEST(RandomCases, RollingConvergesAndBalances)

@@ -90,7 +90,7 @@ TEST(SlidingHeat, FlatsWithoutEndsGrowWarmWithTheRootOfTime)
   for (const SlidingRecord& r : run.history)
     if (r.F_friction > 0.0)
     {
-      fluxes.push_back(fluxes.empty() ? 0.5 * share * flux : share * flux); // friction begins with the first step
+      fluxes.push_back(share * flux); // all of it from the first step on
       rise = uniformly_heated(steel, fluxes, step);
       error = std::max({error, std::abs((r.max_temperature_lower - 20.0) / rise - 1.0),
                         std::abs((r.max_temperature_upper - 20.0) / rise - 1.0)});

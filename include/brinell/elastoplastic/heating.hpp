@@ -98,7 +98,7 @@ public:
     std::array<double, 2> columns;   ///< columns that the contact grid (if `is_steady`: the contact) moves on them
     double duration = 0.0;           ///< [s]; 0: no heat is generated or conducted
     double slid = 0.0;               ///< sliding distance of the undeformed surfaces [m], >= 0
-    std::span<const double> shear_before{}; ///< along x, at the beginning [Pa]
+    std::span<const double> shear_at_start{}; ///< SlidingInterface::shear_at_start [Pa]
   };
   void begin(const Start& start);
   [[nodiscard]] bool is_steady() const;

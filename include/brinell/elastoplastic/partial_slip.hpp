@@ -88,6 +88,7 @@ private:
   [[nodiscard]] double driven_motion() const;
   [[nodiscard]] double tolerance_of_slip() const;
   void add_parting_heat();
+  void add_work(double beyond_trapezoid);
   [[nodiscard]] double moment_of(const Pair& shear) const;
   [[nodiscard]] bool slips_at(std::size_t cell) const;
   [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
@@ -104,6 +105,7 @@ private:
   bool couples_;
   Start start_;
   contact::TangentialDrive drive_; ///< of the increment
+  bool is_driven_ = false;         ///< whether the increment imposes another shift, force or rotation
   std::array<int, 2> carried_{};   ///< cells by which the surfaces move through the contact grid in the increment
   Pair shear_before_;              ///< before the increment, of the surface points that now lie in each cell [Pa]
   std::vector<double> bound_before_, bound_;

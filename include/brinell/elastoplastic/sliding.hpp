@@ -39,6 +39,12 @@ public:
   [[nodiscard]] std::span<const double> shear() const { return state_.shear; } ///< along x [Pa]
   /// Sum of the shear on the lower body [N].
   [[nodiscard]] double force() const;
+  /// The shear along x with which the surfaces slid at the beginning of the current or last increment [Pa]. It opposes the motion
+  /// of this increment: at a reversal, it has changed its sign before the surfaces move; surfaces that begin to slide have the
+  /// full shear of their pressure.
+  [[nodiscard]] std::span<const double> shear_at_start() const { return shear_at_start_; }
+  /// Sum of it on the lower body [N].
+  [[nodiscard]] double force_at_start() const;
   /// Adds the elastic normal displacement of each surface under the shear of the last increment, positive into the body [m].
   void add_depth(std::span<double> lower, std::span<double> upper) const;
   /// Work of the shear on the deformation of both bodies since the start [J].
@@ -70,6 +76,7 @@ private:
     void exchange(Archive& archive);
   };
 
+  void set_shear_at_start(std::span<const double> pressure);
   Change set_shear(std::span<const double> pressure);
   void find_displacements(const Bodies& bodies);
 
@@ -79,7 +86,7 @@ private:
   /// (1 - 2 nu)/(2 mu) [1/Pa]: couples pressure to displacement along x, and shear to displacement along z.
   double lower_weight_, upper_weight_;
   bool slides_ = false, is_held_ = false;
-  std::vector<double> limit_;
+  std::vector<double> limit_, shear_at_start_;
   State state_, before_;              ///< now, and before the increment
   std::vector<double> work_per_area_; ///< work of the shear on the deformation in the last increment [J/m^2]
 };

@@ -67,7 +67,7 @@ struct FrettingCycle
   double dissipation_plastic = 0.0;           ///< of both bodies [J]
   double max_force = 0.0;                     ///< largest magnitude [N]
   double max_displacement = 0.0;              ///< largest magnitude [m]
-  double slip_amplitude = 0.0;                ///< a quarter of the growth of `slip_path` in the cycle [m]
+  double slip_amplitude = 0.0;                ///< a quarter of the slip of the point that slips most [m]
   double stick_share = 0.0;                   ///< smallest in the cycle
   double max_equivalent_plastic_strain = 0.0; ///< of both bodies, at its end
 

@@ -260,11 +260,13 @@ TEST(FrettingTest, CyclesBeginAndEndInTheMiddle)
   }
   EXPECT_NEAR(heat / s.dissipation_friction, 1.0, 1e-12);
   EXPECT_NEAR(plastic / (s.dissipation_lower + s.dissipation_upper), 1.0, 1e-12);
-  // The area of the second loop, which begins and ends within the steady state, from the rows.
+  // The area of the second loop, which begins and ends within the steady state: more than that of the polygon of its eight
+  // points, beyond which the curve bulges.
   double area = 0.0;
   for (std::size_t i = 11; i < rows.size(); ++i)
     area += 0.5 * (rows[i].force + rows[i - 1].force) * (rows[i].displacement - rows[i - 1].displacement);
-  EXPECT_NEAR(s.cycles[1].work / area, 1.0, 1e-9);
+  EXPECT_GT(s.cycles[1].work / area, 1.0);
+  EXPECT_LT(s.cycles[1].work / area, 1.2);
   EXPECT_EQ(s.final_state.shear[0].size(), s.final_state.pressure.size());
   EXPECT_EQ(s.final_state.slip[1].size(), s.final_state.pressure.size());
 }
@@ -321,6 +323,39 @@ TEST(FrettingTest, GridsGrowWithTheShear)
   EXPECT_NEAR(one.dissipation_friction / other.dissipation_friction, 1.0, 2e-3);
   EXPECT_NEAR(one.dissipation_lower / other.dissipation_lower, 1.0, 2e-3);
   EXPECT_NEAR(one.last.slip_path / other.last.slip_path, 1.0, 2e-3);
+}
+
+TEST(FrettingTest, SlipAmplitudeIsThatOfThePointThatSlipsMostInTheCycle)
+{
+  // Bodies that differ slip while they are pressed together, and not where they slip most as they move to and fro.
+  FrettingCase c = sample();
+  c.lower.material = {{70e9, 0.25}, {}};
+  c.upper.material = {{2000e9, 0.0}, {}};
+  c.press = {contact::Drive::Kind::load, 20.0};
+  c.press_steps = 10;
+  c.cycles = 2;
+  simulation::Run run(c);
+  std::vector<std::vector<double>> paths; // at the end of the pressing and of each cycle
+  std::vector<double> largest;
+  while (!run.is_done())
+  {
+    const FrettingRecord r = run.step();
+    const int moved = r.step + 1 - c.press_steps;
+    if (moved < 0 || moved % c.steps_per_cycle != 0)
+      continue;
+    paths.push_back(run.fields().surfaces.slip_path);
+    largest.push_back(r.slip_path);
+  }
+  const FrettingSummary summary = run.summary();
+  ASSERT_EQ(paths.size(), 3U);
+  for (std::size_t cycle = 0; cycle < 2; ++cycle)
+  {
+    double growth = 0.0;
+    for (std::size_t i = 0; i < paths[cycle].size(); ++i)
+      growth = std::max(growth, paths[cycle + 1][i] - paths[cycle][i]);
+    EXPECT_NEAR(4.0 * summary.cycles[cycle].slip_amplitude / growth, 1.0, 1e-12) << cycle;
+    EXPECT_TRUE(cycle > 0 || growth > 1.1 * (largest[cycle + 1] - largest[cycle])) << "the test needs another point";
+  }
 }
 
 } // namespace

@@ -148,6 +148,68 @@ TEST(SlidingTest, OfABallIsARollingThatDoesNotTurn)
               1e-3 * slid.summary.dissipation_friction);
 }
 
+/// An elastic ball on a flat whose surfaces do not stretch under pressure: the slope under shear does no work then.
+SlidingCase incompressible(double stiffness)
+{
+  SlidingCase c = ball();
+  c.lower = {Plane{}, {{210e9, 0.4999}, {}}};
+  c.upper.material = {{stiffness * 210e9, 0.4999}, {}};
+  c.friction.coefficient = 0.3;
+  return c;
+}
+
+TEST(SlidingTest, WorkOfASlideIsFrictionTimesLoadTimesDistance)
+{
+  // Bodies that slide do so under the full shear from the first step on, however few steps there are. The elastic energy of the shear
+  // comes from the same work, and becomes heat when the bodies part.
+  for (const double stiffness : {1.0, 0.25})
+    for (const double steps : {1.0, 3.0})
+    {
+      SlidingCase c = incompressible(stiffness);
+      c.distance = 60e-6;
+      c.shift = c.distance / steps;
+      const double friction_work = c.friction.coefficient * c.press.value * c.distance;
+      const Result slide = computed(c);
+      const SlidingRecord &pressed = slide.history.at(0), &slid = slide.history.at(slide.history.size() - 2);
+      const double stored = slid.energy_elastic - pressed.energy_elastic;
+      EXPECT_GT(stored, 0.0);
+      EXPECT_NEAR((slid.work - pressed.work) / friction_work, 1.0, 1e-4) << stiffness << ", " << steps;
+      EXPECT_NEAR((slid.dissipation_friction + stored) / friction_work, 1.0, 1e-4) << stiffness << ", " << steps;
+      EXPECT_NEAR(slide.summary.dissipation_friction / friction_work, 1.0, 1e-4) << stiffness << ", " << steps;
+    }
+}
+
+TEST(SlidingTest, StrokesToAndFroWorkEachAsTheFirst)
+{
+  SlidingCase c = incompressible(1.0);
+  c.distance = 30e-6;
+  c.shift = 15e-6;
+  c.strokes = 3;
+  c.to_and_fro = true;
+  const Result result = computed(c);
+  const double friction_work = c.friction.coefficient * c.press.value * c.distance;
+  for (std::size_t stroke = 1; stroke <= 3; ++stroke)
+    EXPECT_NEAR((result.history.at(2 * stroke).work - result.history.at(2 * stroke - 2).work) / friction_work, 1.0,
+                1e-4)
+        << stroke;
+  EXPECT_NEAR(result.summary.dissipation_friction / (3.0 * friction_work), 1.0, 1e-4);
+}
+
+TEST(SlidingTest, HeatOfASlideEntersTheBodiesFromTheFirstStepOn)
+{
+  SlidingCase c = incompressible(1.0);
+  for (ShapedBody* body : {&c.lower, &c.upper})
+    body->material.thermal = Thermal{50.0, 7800.0, 470.0, 1.2e-5};
+  c.heat.displacement = c.heat.stress = false;
+  c.speed = 1.0;
+  c.distance = c.shift.emplace(60e-6);
+  const Result slide = computed(c);
+  const SlidingRecord &pressed = slide.history.at(0), &slid = slide.history.at(1);
+  const double stored = slid.energy_elastic - pressed.energy_elastic;
+  EXPECT_NEAR((slid.heat_lower + slid.heat_upper + stored) / (c.friction.coefficient * c.press.value * c.distance), 1.0,
+              1e-4);
+}
+
 TEST(SlidingTest, NothingTellsWhereThePeriodBegins)
 {
   SlidingCase c = waves();
