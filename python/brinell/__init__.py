@@ -71,7 +71,7 @@ from brinell.materials import (
 from brinell.results import Accuracy, Run, RunError, RunWarning
 from brinell.results import open_run as open
 from brinell.scenarios import *  # noqa: F403 (a class for each)
-from brinell.settings import Grid, Heating, Interface, Output, Solver, Wear
+from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Solver, Wear
 from brinell.stepping import Stepping
 from brinell.surfaces import HeightMap
 
@@ -102,6 +102,7 @@ __all__ = [
     "Flat",
     "Grid",
     "GridError",
+    "HeatSource",
     "Heating",
     "HeightMap",
     "Hollomon",

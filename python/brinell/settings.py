@@ -17,7 +17,7 @@ from typing import Any, Literal
 from brinell._names import renamed
 from brinell.bodies import Quantity
 
-__all__ = ["Grid", "Heating", "Interface", "Output", "Solver", "Wear"]
+__all__ = ["Grid", "HeatSource", "Heating", "Interface", "Output", "Solver", "Wear"]
 
 
 class _Table:
@@ -93,8 +93,34 @@ class Wear(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
+class HeatSource(_Table):
+    """Heat that is supplied from outside at a constant power and moves with the contact, with or without friction.
+
+    Attributes:
+        shape: "disc" or "rectangle": uniform flux into the surface of one body; "contact": heat that arises between
+            the surfaces in proportion to the pressure, as that of an electric current.
+        on: the body whose surface a disc or rectangle heats.
+        power: total power [W]; on a periodic grid that of one period.
+        flux: flux of a disc or rectangle [W/m²], instead of the power.
+        radius: radius of a disc [m].
+        length: length of a rectangle along x [m].
+        width: width of a rectangle along y [m]; None, along a periodic axis: the whole period.
+        offset: position of a disc or rectangle along x, from the middle of the contact grid [m].
+    """
+
+    shape: Literal["none", "disc", "rectangle", "contact"]
+    on: Literal["lower", "upper"] | None = None
+    power: Quantity | None = None
+    flux: Quantity | None = None
+    radius: Quantity | None = None
+    length: Quantity | None = None
+    width: Quantity | None = None
+    offset: Quantity | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class Heating(_Table):
-    """Effects of frictional heat on bodies with thermal constants, in tugging, rolling and sliding.
+    """Effects of heat on bodies with thermal constants, in tugging, rolling and sliding.
 
     Attributes:
         partition: fraction of the frictional heat that enters the lower body [-]; None: both surfaces have the same
@@ -108,6 +134,7 @@ class Heating(_Table):
         displacement: whether thermal expansion of the surfaces changes the gap.
         stress: whether the thermal stress contributes to yielding.
         at_melting: whether a run goes on or stops when a surface reaches the melting temperature of its softening.
+        source: heat from outside, `brinell.HeatSource` or a dictionary.
     """
 
     partition: float | None = None
@@ -118,6 +145,7 @@ class Heating(_Table):
     displacement: bool | None = None
     stress: bool | None = None
     at_melting: Literal["go_on", "stop"] | None = None
+    source: HeatSource | Mapping[str, Any] | None = None
 
 
 @renamed(max_iterations="max_evaluations")

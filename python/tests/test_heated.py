@@ -342,6 +342,21 @@ def test_plastic_work_heats(run: Run) -> None:
     assert off.history["max_temperature_lower"].max() < history["max_temperature_lower"].max()
 
 
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_a_source_heats_without_friction_and_its_heat_is_in_the_bodies() -> None:
+    """A spot on the upper body passes heat to the lower one where they touch; nothing is lost."""
+    source = brinell.HeatSource(shape="disc", on="upper", power="2 W", radius="50 um")
+    run = tugging(interface=None, thermal=brinell.Heating(source=source)).run(in_memory=True)
+    history = run.history
+    given = history["heat_of_source"]
+    assert given[-1] > 0.0
+    assert history["heat_lower"] + history["heat_upper"] == pytest.approx(given, rel=1e-8, abs=1e-15)
+    assert run.summary["heat"]["of_source_J"] == pytest.approx(given[-1])
+    figure = surface_temperatures(run)
+    assert figure is not None
+    assert "of the source" in legend_of(figure.axes[1])
+
+
 def test_hot_bodies_are_softer(run: Run) -> None:
     softening = brinell.JohnsonCook(melting_temperature="600 degC", exponent=1.0)
     plastic = brinell.Linear("900 MPa", "20 GPa")

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace brinell::elastoplastic
@@ -46,7 +47,8 @@ HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material&
                        std::shared_ptr<BodyHeat> heat, bool is_mirrored, std::optional<double> reference)
     : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference)
 {
-  for (std::vector<double>* field : {&remaining_displacement_, &own_displacement_, &flux_, &last_flux_, &flux_before_})
+  for (std::vector<double>* field :
+       {&remaining_displacement_, &own_displacement_, &share_, &flux_, &last_share_, &share_before_})
     field->assign(contact.size(), 0.0);
   remaining_.assign(contact.size(), material.temperature);
   temperature_ = remaining_;
@@ -113,19 +115,43 @@ HeatedSide::Responses& HeatedSide::responses()
   return cached_responses_.front();
 }
 
-/// Extrapolates the flux linearly in time from the last two steps, on the contact grid; each flux is the mean over its step.
-std::vector<double> HeatedSide::expected_flux(double duration) const
+/// Extrapolates the share linearly in time from the last two steps, on the contact grid; each is the mean over its step.
+std::vector<double> HeatedSide::expected_share(double duration) const
 {
   const double ahead = last_duration_ > 0.0 ? 0.5 * (duration + last_duration_) / last_duration_ : 0.0;
-  std::vector<double> expected(last_flux_);
+  std::vector<double> expected(last_share_);
   for (std::size_t i = 0; i < expected.size(); ++i)
-    if (last_flux_[i] != 0.0)
-      expected[i] += std::min(ahead, 1.0) * (last_flux_[i] - flux_before_[i]);
+    if (last_share_[i] != 0.0)
+      expected[i] += std::min(ahead, 1.0) * (last_share_[i] - share_before_[i]);
   return expected;
 }
 
-void HeatedSide::begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool slides)
+std::vector<double> HeatedSide::with_imposed(std::vector<double> share) const
 {
+  for (std::size_t i = 0; i < imposed_.size(); ++i)
+    share[i] += imposed_[i];
+  return share;
+}
+
+/// Adds the response to a flux that does not depend on the contact to what remains of earlier steps, once per step.
+void HeatedSide::impose(std::span<const double> flux)
+{
+  if (is_zero(flux))
+    return;
+  std::vector<double> response(flux.size());
+  find_rise(flux, response);
+  std::transform(remaining_.begin(), remaining_.end(), response.begin(), remaining_.begin(), std::plus<>());
+  if (!swells())
+    return;
+  responses().displacement->apply(flux, response, responses().displacement_scratch);
+  std::transform(remaining_displacement_.begin(), remaining_displacement_.end(), response.begin(),
+                 remaining_displacement_.begin(), std::plus<>());
+}
+
+void HeatedSide::begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool is_fed,
+                       std::span<const double> imposed)
+{
+  imposed_.assign(imposed.begin(), imposed.end());
   if (!conducts())
     return;
   duration_ = without_rounding(duration);
@@ -133,11 +159,11 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
   constexpr double always = std::numeric_limits<double>::infinity();
   motion_ = {heat_->is_steady() ? always : duration_, velocity};
   place_ = on_thermal_grid(heat_->grid(), body.surface, place);
-  // The steady state of a step without sliding has no flux left from steps with sliding.
-  const bool is_new = heat_->is_steady() && !slides;
+  // The steady state of a step without heat between the surfaces has no flux left from steps with it.
+  const bool is_new = heat_->is_steady() && !is_fed;
   const std::vector<double> none(contact_.size(), 0.0);
   if (!is_mirrored_)
-    heat_->begin(heat_->acts_in_layers() ? on_body(is_new ? none : expected_flux(duration), "heat")
+    heat_->begin(heat_->acts_in_layers() ? on_body(with_imposed(is_new ? none : expected_share(duration)), "heat")
                                          : std::vector<double>{},
                  motion_, body);
   remaining_ = on_contact(heat_->remaining_temperature(), place_);
@@ -145,7 +171,8 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
     t += material_.temperature;
   if (swells())
     remaining_displacement_ = on_contact(heat_->remaining_displacement(), place_);
-  set_flux(is_new ? none : last_flux_);
+  impose(imposed_);
+  set_share(is_new ? none : last_share_);
 }
 
 void HeatedSide::find_rise(std::span<const double> flux, std::span<double> rise)
@@ -156,16 +183,17 @@ void HeatedSide::find_rise(std::span<const double> flux, std::span<double> rise)
     responses().temperature.apply(flux, rise, responses().temperature_scratch);
 }
 
-double HeatedSide::set_flux(std::span<const double> flux)
+double HeatedSide::set_share(std::span<const double> flux)
 {
-  flux_.assign(flux.begin(), flux.end());
+  share_.assign(flux.begin(), flux.end());
+  flux_ = with_imposed(share_);
   if (!swells())
     return 0.0;
   const std::vector<double> before = own_displacement_;
   if (is_zero(flux))
-    own_displacement_.assign(flux_.size(), 0.0);
+    own_displacement_.assign(share_.size(), 0.0);
   else
-    responses().displacement->apply(flux_, own_displacement_, responses().displacement_scratch);
+    responses().displacement->apply(share_, own_displacement_, responses().displacement_scratch);
   double change = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i)
     change = larger(change, std::abs(own_displacement_[i] - before[i]));
@@ -182,13 +210,13 @@ void HeatedSide::add_displacement(std::span<double> gap) const
 
 void HeatedSide::settle()
 {
-  flux_before_ = last_flux_;
-  last_flux_ = flux_;
+  share_before_ = last_share_;
+  last_share_ = share_;
   last_duration_ = duration_;
   total_ += sum(flux_) * contact_.cell_area() * duration_;
   if (!conducts())
     return;
-  find_rise(flux_, temperature_);
+  find_rise(share_, temperature_);
   for (std::size_t i = 0; i < temperature_.size(); ++i)
     temperature_[i] += remaining_[i];
   if (conducts() && !is_mirrored_)
@@ -213,11 +241,12 @@ void HeatedSide::add_depth(const SurfaceGrid& body, const Place& place, std::spa
 void HeatedSide::exchange(Archive& archive)
 {
   archive("temperature", temperature_);
-  archive("flux", last_flux_);
-  archive("flux_before", flux_before_);
+  archive("flux", flux_);
+  archive("share", last_share_);
+  archive("share_before", share_before_);
   archive("duration", last_duration_);
   archive("total", total_);
-  flux_ = last_flux_;
+  share_ = last_share_;
   if (conducts() && !is_mirrored_)
     archive("heat", *heat_);
 }
@@ -230,10 +259,12 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
     embed_field(contact_, field, contact, moved);
     field = std::move(moved);
   };
-  for (std::vector<double>* field : {&remaining_displacement_, &own_displacement_, &flux_, &last_flux_, &flux_before_})
+  for (std::vector<double>* field :
+       {&remaining_displacement_, &own_displacement_, &share_, &flux_, &last_share_, &share_before_})
     move(*field, 0.0);
   move(remaining_, material_.temperature);
   move(temperature_, material_.temperature);
+  imposed_.clear();
   contact_ = contact;
   cached_responses_.clear();
 }

@@ -31,22 +31,26 @@ public:
   /// @param place     of the contact grid on the material grid, at the end of the step
   /// @param columns   by which the contact moves on the body
   /// @param duration  [s], > 0
-  /// @param slides    whether the surfaces slide in the step
-  void begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool slides);
+  /// @param is_fed    whether heat arises between the surfaces in the step
+  /// @param imposed   flux from outside into this side [W/m^2]; empty: none
+  void begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool is_fed,
+             std::span<const double> imposed);
   void settle();
   void add_heat_without_flux(double heat) { total_ += heat; } ///< adds heat that is not applied as a flux [J]
   void restore();
 
-  /// Surface temperature at the end of the step [deg C] due to earlier steps alone.
+  /// Surface temperature at the end of the step [deg C] due to earlier steps and to the imposed flux alone.
   [[nodiscard]] const std::vector<double>& remaining() const { return remaining_; }
   /// Motion of the flux in the current step, and the response of the temperature to it.
   [[nodiscard]] const halfspace::HeatMotion& motion() const { return motion_; }
   [[nodiscard]] const halfspace::HeatResponse& temperature_response() { return responses().temperature; }
   /// Temperature rise of the surface at the end of the step by a flux [W/m^2] in the step.
   void find_rise(std::span<const double> flux, std::span<double> rise);
-  /// Sets the flux of the current step [W/m^2] and computes its displacement.
+  /// Sets this side's share in the heat between the surfaces [W/m^2], and computes its displacement.
   /// @returns the largest change of the displacement [m]
-  double set_flux(std::span<const double> flux);
+  double set_share(std::span<const double> flux);
+  [[nodiscard]] const std::vector<double>& share() const { return share_; }
+  /// Total flux of the current step [W/m^2]: share and imposed flux.
   [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
   void add_displacement(std::span<double> gap) const;
   [[nodiscard]] const std::vector<double>& temperature() const { return temperature_; }
@@ -70,7 +74,9 @@ private:
   [[nodiscard]] Responses& responses();
   [[nodiscard]] bool swells() const { return conducts() && heat_->swells(); }
   [[nodiscard]] std::vector<double> on_contact(const std::vector<double>& thermal_field, const Place& place) const;
-  [[nodiscard]] std::vector<double> expected_flux(double duration) const;
+  [[nodiscard]] std::vector<double> expected_share(double duration) const;
+  void impose(std::span<const double> flux);
+  [[nodiscard]] std::vector<double> with_imposed(std::vector<double> share) const;
 
   SurfaceGrid contact_;
   constitutive::Material material_;
@@ -81,9 +87,10 @@ private:
   std::list<Responses> cached_responses_; ///< cache, most recently used first
   Place place_{};                         ///< of the contact grid on the thermal grid
   double duration_ = 0.0;
-  std::vector<double> remaining_, remaining_displacement_, own_displacement_, flux_;
+  std::vector<double> remaining_, remaining_displacement_, own_displacement_, share_, flux_;
+  std::vector<double> imposed_; ///< flux from outside in the current step [W/m^2]; empty: none
   // At the end of the last step
-  std::vector<double> temperature_, last_flux_, flux_before_;
+  std::vector<double> temperature_, last_share_, share_before_;
   double last_duration_ = 0.0, total_ = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include "foundation/sharing.hpp"
 #include "heat_partition.hpp"
 #include "heated_side.hpp"
+#include "touching_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,49 +15,6 @@
 
 namespace brinell::elastoplastic
 {
-
-namespace
-{
-
-/// Cells in which heat passes between the surfaces in one increment: those that touch, and undecided ones. At the edge of the
-/// contact a cell may open because of the heat that it receives while it touches, and close again without this heat, so that
-/// neither state is consistent. After `max_partings` openings in one increment such a cell is held in contact until the increment
-/// ends; its gap is then less than its thermal displacement.
-class TouchingCells
-{
-public:
-  void begin(std::size_t cells)
-  {
-    was_touching_.assign(cells, false);
-    partings_.assign(cells, 0);
-  }
-  [[nodiscard]] std::vector<bool> find(std::span<const double> heat, std::span<const double> pressure)
-  {
-    std::vector<bool> touching(heat.size());
-    for (std::size_t i = 0; i < touching.size(); ++i)
-    {
-      const bool touches =
-          pressure[i] > 0.0 || heat[i] != 0.0; // heat without pressure: touched at the beginning of the increment
-      partings_[i] += was_touching_[i] && !touches ? 1 : 0;
-      was_touching_[i] = touches;
-      touching[i] = touches || partings_[i] >= max_partings;
-    }
-    return touching;
-  }
-  /// Number of cells held in contact in this increment.
-  [[nodiscard]] int held() const
-  {
-    return static_cast<int>(
-        std::count_if(partings_.begin(), partings_.end(), [](int partings) { return partings >= max_partings; }));
-  }
-
-private:
-  static constexpr int max_partings = 3;
-  std::vector<bool> was_touching_;
-  std::vector<int> partings_; ///< openings of each cell in the increment
-};
-
-} // namespace
 
 namespace
 {
@@ -97,6 +55,7 @@ struct Heating::State
   std::array<HeatedSide, 2> sides;
   double copies; ///< number of bodies that each solved body represents: 2 for twins
   HeatSettings settings = plan.run.settings;
+  std::vector<double> imposed = flux_on(settings.source, contact); ///< flux of a source on one body [W/m^2]
   /// Response of the sum of both surface temperatures to a flux into both bodies, for a pair of motions.
   struct BothResponses
   {
@@ -107,12 +66,18 @@ struct Heating::State
   std::list<BothResponses> cached_responses{}; ///< cache, most recently used first
   // Of the current increment
   double duration = 0.0, slid = 0.0;
-  std::vector<double> shear_at_start{};
+  std::vector<double> shear_at_start{}, pressure_before{};
+  bool is_source_on = false; ///< whether a source acts
   TouchingCells touching{};
   // Since the start [J]
-  double heat_of_friction = 0.0, work_on_pressure = 0.0;
+  double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_pressure = 0.0;
   int most_held = 0; ///< largest number of held cells in an increment
 
+  [[nodiscard]] bool is_source_between() const
+  {
+    return is_source_on && settings.source.shape == HeatSource::Shape::contact;
+  }
+  [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
   void add_heat_without_flux(double heat);
   [[nodiscard]] BothResponses& combined_response();
   [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
@@ -157,6 +122,13 @@ Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodie
     throw InternalError("Heating: bodies that are alike do not slide on each other");
   if (twin != Twin::none && run.settings.share() != 0.5)
     throw InternalError("Heating: twins have equal shares in the heat");
+  if (const HeatSource& source = run.settings.source; source.is_on_body())
+  {
+    if (twin != Twin::none)
+      throw InternalError("Heating: a source on one body heats no twin");
+    if (!bodies.at(source.side()).material.thermal)
+      throw InputError("Heating: the body of the source has no thermal constants");
+  }
   const Plan plan{bodies, run, twin, numerics};
   state_ = make_hidden<State>(contact, plan, sides_of(contact, plan), twin == Twin::none ? 1.0 : 2.0);
 }
@@ -167,9 +139,16 @@ void Heating::begin(const Start& start)
   s.duration = start.duration;
   s.slid = start.slid;
   s.shear_at_start.assign(start.shear_at_start.begin(), start.shear_at_start.end());
+  s.pressure_before.assign(start.pressure_before.begin(), start.pressure_before.end());
+  s.is_source_on = start.is_source_on && s.settings.source.exists();
   s.touching.begin(s.contact.size());
   for (std::size_t side = 0; side < 2 && s.duration > 0.0; ++side)
-    s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration, start.slid > 0.0);
+  {
+    const bool is_heated = s.is_source_on && s.settings.source.is_on_body() && s.settings.source.side() == side;
+    s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration,
+                        start.slid > 0.0 || s.is_source_between(),
+                        is_heated ? std::span<const double>(s.imposed) : std::span<const double>());
+  }
 }
 
 Heating::State::BothResponses& Heating::State::combined_response()
@@ -222,7 +201,7 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
   };
   const double tolerance =
       sharing == Sharing::fine ? 1e-6 : 1e-3; // relative to the temperature difference that the partition removes
-  std::vector<double> flux = lower.flux();
+  std::vector<double> flux = lower.share();
   if (!solve_in_cells(apply_both, rhs, pressed, tolerance * largest, flux))
     throw ConvergenceError(
         "the partition of the heat between the surfaces has not converged: their temperatures still differ");
@@ -245,7 +224,24 @@ double Heating::State::share_flux(const std::vector<double>& heat, std::span<con
   std::vector<double> into_upper(heat.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     into_upper[i] = heat[i] - into_lower[i];
-  return lower.set_flux(into_lower) + upper.set_flux(into_upper);
+  return lower.set_share(into_lower) + upper.set_share(into_upper);
+}
+
+/// Adds the flux of a source between the surfaces: its power, distributed as the pressure; the mean of the beginning and the end
+/// of the increment, as for friction.
+/// @returns the power that acts [W]: zero where the surfaces do not touch
+double Heating::State::add_source_between(std::span<const double> pressure, std::vector<double>& heat) const
+{
+  if (!is_source_between())
+    return 0.0;
+  const double before = sum(pressure_before), now = sum(pressure);
+  const int ends = (before > 0.0 ? 1 : 0) + (now > 0.0 ? 1 : 0);
+  if (ends == 0)
+    return 0.0;
+  const double each = *settings.source.power / (ends * contact.cell_area());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    heat[i] += each * ((before > 0.0 ? pressure_before[i] / before : 0.0) + (now > 0.0 ? pressure[i] / now : 0.0));
+  return *settings.source.power;
 }
 
 /// Adds heat that is not applied as a flux to the totals of the bodies, by the given partition [J].
@@ -266,6 +262,7 @@ double Heating::follow(std::span<const double> pressure, std::span<const double>
   std::vector<double> heat(pressure.size());
   for (std::size_t i = 0; i < heat.size(); ++i)
     heat[i] = factor * (std::abs(s.shear_at_start[i]) + std::abs(shear[i]));
+  static_cast<void>(s.add_source_between(pressure, heat));
   return s.share_flux(heat, pressure, sharing);
 }
 
@@ -296,6 +293,10 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
     s.add_heat_without_flux(total);
     std::fill(heat.begin(), heat.end(), 0.0);
   }
+  double power = s.add_source_between(pressure, heat);
+  if (s.is_source_on)
+    power += sum(s.imposed) * s.contact.cell_area();
+  s.heat_of_source += power * s.duration;
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
   s.most_held = std::max(s.most_held, s.touching.held());
   for (HeatedSide& side : s.sides)
@@ -359,6 +360,11 @@ double Heating::heat_of_friction() const
   return state_->heat_of_friction;
 }
 
+double Heating::heat_of_source() const
+{
+  return state_->heat_of_source;
+}
+
 double Heating::heat_of_plastic_work() const
 {
   double heat = 0.0;
@@ -403,6 +409,7 @@ void Heating::exchange(Archive& archive)
   archive("lower", s.sides[0]);
   archive("upper", s.sides[1]);
   archive("heat_of_friction", s.heat_of_friction);
+  archive("heat_of_source", s.heat_of_source);
   archive("work_on_pressure", s.work_on_pressure);
   archive("most_held_cells", s.most_held, 0, std::numeric_limits<int>::max() - 1);
 }
@@ -413,6 +420,7 @@ void Heating::move_to(const SurfaceGrid& contact)
     side.move_to(contact);
   state_->cached_responses.clear();
   state_->contact = contact;
+  state_->imposed = flux_on(state_->settings.source, contact);
 }
 
 } // namespace brinell::elastoplastic

@@ -23,7 +23,9 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
                                columns(placement.upper, placement_.upper, strategy.moved[1])},
                    .duration = strategy.duration,
                    .slid = strategy.slid,
-                   .shear_at_start = sliding()->shear_at_start()});
+                   .shear_at_start = sliding()->shear_at_start(),
+                   .pressure_before = pressure_,
+                   .is_source_on = !strategy.returns});
   for (std::size_t side = 0; side < sides_.size() && strategy.duration > 0.0; ++side)
   {
     sides_[side].body.set_thermal_stress(heating_->stress(side));

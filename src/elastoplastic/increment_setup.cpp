@@ -59,9 +59,9 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const bool has_friction = sliding.friction.coefficient > 0.0;
   if (has_friction && twin == Twin::alike)
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
-  if (has_friction)
+  if (has_friction || sliding.heat) // heat needs an interface, if need be without friction
     interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
-  if (has_friction && sliding.heat && !sliding.sticks)
+  if (sliding.heat && !sliding.sticks)
     heating_ = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
         *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_});

@@ -359,10 +359,10 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   const double plastic = 0.3 * width + 0.85 * f.plastic_reach;
   const double reach_x = std::max(f.over_x + 0.5 * width, plastic);
   const double reach_y = std::max(f.over_y + 0.5 * width, plastic);
-  lay_out(cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0),
-          {scale * 1.6 * f.over_x, scale * reach_y, track_lower + scale * reach_x, track_upper + scale * reach_x,
-           scale * f.depth},
-          numerics.domain, plan);
+  Extents extents{scale * 1.6 * f.over_x, scale * reach_y, track_lower + scale * reach_x, track_upper + scale * reach_x,
+                  scale * f.depth};
+  cover(numerics.heat.source, extents);
+  lay_out(cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0), extents, numerics.domain, plan);
   plan.contact_share = f.contact_share;
   // Lower limit: smaller changes of displacement would be lost in the tolerance of the contact.
   const auto resolved = [&](double approach) { return std::clamp(approach, 1e-2 * f.approach, f.approach); };

@@ -111,6 +111,16 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
   return spacing;
 }
 
+void cover(const elastoplastic::HeatSource& source, Extents& e)
+{
+  const elastoplastic::SourceReach most = elastoplastic::reach(source);
+  const double further = std::max(0.0, most.x - e.contact_x); // the track needs as much more on both bodies
+  e.contact_x += further;
+  e.lower_x += further;
+  e.upper_x += further;
+  e.contact_y = std::max(e.contact_y, most.y);
+}
+
 void lay_out(const std::array<double, 3>& cells, const Extents& extents, const Domain& domain, Plan& plan)
 {
   const auto [dx, dy, dz] = cells;

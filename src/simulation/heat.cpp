@@ -29,12 +29,16 @@ void require_solid(const char* name, const constitutive::Material& material)
                                name, material.temperature, *melting));
 }
 
+bool swells(const constitutive::Material& material)
+{
+  return material.thermal && material.thermal->expansion != 0.0;
+}
+
 /// Checks that there is a reference distance for bodies with different bulk temperatures: between them heat passes even at rest,
 /// while they are pressed together.
 void require_reference_of_exchange(const Numerics& numerics, const constitutive::Material& lower,
                                    const constitutive::Material& upper)
 {
-  const auto swells = [](const constitutive::Material& m) { return m.thermal && m.thermal->expansion != 0.0; };
   const bool passes =
       lower.thermal && upper.thermal && lower.temperature != upper.temperature && numerics.heat.exchanges();
   if (passes && numerics.heat.displacement && (swells(lower) || swells(upper)) && !numerics.heat.reference)
@@ -62,6 +66,69 @@ void require_two_sides(const Numerics& numerics, const constitutive::Material& l
                                   lower.thermal ? "upper" : "lower"));
 }
 
+/// Checks that a number is given, finite and above 0.
+void require_positive(const char* key, const std::optional<double>& value, const char* unit)
+{
+  if (!value)
+    throw KeyError(key, fmt::format("{} is missing; allowed: a number > 0, in {}", key, unit));
+  if (!(*value > 0.0 && std::isfinite(*value)))
+    throw KeyError(key, fmt::format("{} = {:g} {}; allowed: > 0", key, *value, unit));
+}
+
+/// Checks shape and strength of a heat source, and that there is a body to heat.
+void require_source(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
+{
+  const elastoplastic::HeatSource& source = numerics.heat.source;
+  using Shape = elastoplastic::HeatSource::Shape;
+  if (!source.exists())
+    return;
+  if (source.shape == Shape::disc)
+    require_positive("thermal.source.radius", source.radius, "m");
+  if (source.shape == Shape::rectangle)
+    require_positive("thermal.source.length", source.length, "m");
+  if (source.shape == Shape::rectangle && (source.width || !numerics.domain.y.is_periodic()))
+    require_positive("thermal.source.width", source.width, "m");
+  if (!std::isfinite(source.offset))
+    throw KeyError("thermal.source.offset", "thermal.source.offset is not finite; allowed: a length");
+  if (source.power && source.flux)
+    throw KeyError("thermal.source.flux", "thermal.source.flux and thermal.source.power; allowed: one of them");
+  if (source.is_on_body() && source.flux)
+    require_positive("thermal.source.flux", source.flux, "W/m^2");
+  else
+    require_positive("thermal.source.power", source.power, "W");
+  const bool has_body = source.is_on_body() ? (source.side() == 0 ? lower : upper).material.thermal.has_value()
+                                            : lower.material.thermal || upper.material.thermal;
+  const char* name = source.is_on_body() && source.side() == 1 ? "upper" : "lower";
+  if (!has_body)
+    throw KeyError(fmt::format("{}.material.thermal.conductivity", name),
+                   fmt::format("{}.material.thermal is missing: thermal.source heats this body; allowed: its thermal "
+                               "constants",
+                               name));
+}
+
+/// Checks that a source has a steady state where a body rests under it, and that its displacement is defined.
+void require_steady_source(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
+                           const HeatedMotion& motion)
+{
+  const elastoplastic::HeatSource& source = numerics.heat.source;
+  if (!source.exists() || !motion.pressed_at_rest)
+    return;
+  if (numerics.domain.y.is_periodic())
+    throw KeyError("thermal.regime",
+                   "thermal.regime = \"steady\", but thermal.source also acts while the bodies are pressed together "
+                   "at rest, and along a periodic axis its heat then accumulates without limit; allowed: open axes, "
+                   "or \"transient\"");
+  const bool heats_lower = !source.is_on_body() || source.side() == 0;
+  const bool heats_upper = !source.is_on_body() || source.side() == 1;
+  const bool moves = (heats_lower && swells(lower.material)) || (heats_upper && swells(upper.material));
+  if (moves && numerics.heat.displacement && !numerics.heat.reference)
+    throw KeyError("thermal.reference",
+                   "thermal.reference is missing: thermal.source also acts while the bodies are pressed together at "
+                   "rest, and the thermal displacement under a steady flux at rest has no limit: it grows with the "
+                   "logarithm of the distance; allowed: the distance from the contact at which the thermal "
+                   "displacement is taken as zero, such as the radius of the body; or thermal.displacement = false");
+}
+
 /// Checks that there is a steady state, and that its displacement is defined.
 void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                     const HeatedMotion& motion)
@@ -80,13 +147,13 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
     if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
       refuse(fmt::format("this regime cannot compute the heat of the plastic work of the {} body", name),
              "thermal.heat_of_plastic_work = 0");
-  const bool swells = upper.material.thermal && upper.material.thermal->expansion != 0.0 && numerics.heat.displacement;
-  if (motion.upper_rests && swells && !numerics.heat.reference)
+  if (motion.upper_rests && swells(upper.material) && numerics.heat.displacement && !numerics.heat.reference)
     throw KeyError("thermal.reference",
                    "thermal.reference is missing: the upper body rests under its heat flux, and the thermal "
                    "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
                    "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
                    "zero, such as the radius of the body; or thermal.displacement = false");
+  require_steady_source(numerics, lower, upper, motion);
   if (motion.pressed_at_rest)
     require_reference_of_exchange(numerics, lower.material, upper.material);
 }
@@ -95,7 +162,8 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
 
 bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
 {
-  return numerics.friction.coefficient > 0.0 && (lower.material.thermal || upper.material.thermal);
+  return (numerics.friction.coefficient > 0.0 || numerics.heat.source.exists()) &&
+         (lower.material.thermal || upper.material.thermal);
 }
 
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
@@ -117,12 +185,13 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
     require_solid(name, body->material);
   if (speed && !(*speed > 0.0 && std::isfinite(*speed)))
     throw KeyError(speed_key, fmt::format("{} = {:g} m/s; allowed: > 0", speed_key, *speed));
+  require_source(numerics, lower, upper);
   if (!is_heated(numerics, lower, upper))
     return;
   if (!speed)
-    throw KeyError(speed_key, fmt::format("{} is missing: with friction and the thermal constants of a body the heat "
+    throw KeyError(speed_key, fmt::format("{} is missing: with {} and the thermal constants of a body the heat "
                                           "depends on it; allowed: a speed > 0, as \"1 m/s\"; or no thermal constants",
-                                          speed_key));
+                                          speed_key, numerics.heat.source.exists() ? "a heat source" : "friction"));
   if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
     require_steady(numerics, lower, upper, motion);
   require_two_sides(numerics, lower.material, upper.material);
@@ -151,9 +220,33 @@ void require_below_melting(const std::string& where, const HeatedRecord& step, c
   }
 }
 
+void require_source_fits(const Numerics& numerics, const SurfaceGrid& contact)
+{
+  const elastoplastic::HeatSource& source = numerics.heat.source;
+  if (!source.is_on_body())
+    return;
+  const bool is_disc = source.shape == elastoplastic::HeatSource::Shape::disc;
+  const char* size = is_disc ? "thermal.source.radius" : "thermal.source.length";
+  if (is_plane(contact) && (is_disc || source.width))
+    throw KeyError("thermal.source.shape",
+                   "thermal.source: in plane strain nothing varies along y; allowed: a rectangle without width");
+  constexpr double rounding = 1.0 + 1e-9;
+  const elastoplastic::SourceReach most = elastoplastic::reach(source);
+  if (const double half = 0.5 * contact.nx * contact.dx; most.x > half * rounding)
+    throw KeyError(size,
+                   fmt::format("thermal.source reaches {:g} m from the middle of the contact along x; allowed: up "
+                               "to {:g} m, half of the {}",
+                               most.x, half, contact.is_periodic_x() ? "period" : "contact grid"));
+  if (const double half = 0.5 * contact.ny * contact.dy; most.y > half * rounding)
+    throw KeyError(is_disc ? size : "thermal.source.width",
+                   fmt::format("thermal.source reaches {:g} m from the middle of the contact along y; allowed: up to "
+                               "{:g} m, half of the {}",
+                               most.y, half, contact.is_periodic_y() ? "period" : "contact grid"));
+}
+
 bool shares_alike(const Numerics& numerics)
 {
-  return numerics.heat.share() == 0.5;
+  return numerics.heat.share() == 0.5 && !numerics.heat.source.is_on_body();
 }
 
 } // namespace brinell::simulation

@@ -9,7 +9,7 @@
 namespace brinell::simulation
 {
 
-/// Whether heat is computed: there is friction, and at least one body has thermal constants.
+/// Whether heat is computed: there is friction or a heat source, and at least one body has thermal constants.
 [[nodiscard]] bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
 
 /// Motion of heated bodies.
@@ -26,6 +26,10 @@ struct HeatedMotion
 /// @throws KeyError
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                   const HeatedMotion& motion);
+
+/// Checks that a heat source on one body fits on the contact grid of a plan, and into its periods.
+/// @throws KeyError
+void require_source_fits(const Numerics& numerics, const SurfaceGrid& contact);
 
 /// Checks that both surfaces have stayed below the melting temperatures of their softening.
 /// @param where  the step, for the message

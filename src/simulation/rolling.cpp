@@ -66,6 +66,7 @@ public:
       target.time = time(step_in_pass_ + t);
       target.slid = slid(step_in_pass_ + t);
       target.is_put_down = step_in_pass_ == 0;
+      target.returns = step_in_pass_ + 1 == steps_per_pass();
       return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;

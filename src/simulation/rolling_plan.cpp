@@ -25,8 +25,8 @@ namespace
 /// Whether both bodies always have the same history, so that only one is solved and its residual displacement counts twice.
 bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
 {
-  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && plan.lower == plan.upper &&
-         alike(rolling.lower, rolling.upper);
+  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && !rolling.heat.source.exists() &&
+         plan.lower == plan.upper && alike(rolling.lower, rolling.upper);
 }
 
 /// Checks that the creepage is allowed with the rest of the case.
@@ -121,6 +121,7 @@ RollingPlan plan(const RollingCase& rolling)
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
   require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
+  require_source_fits(rolling, plan.contact);
   require_whole_cells(rolling, plan);
   plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
@@ -128,7 +129,7 @@ RollingPlan plan(const RollingCase& rolling)
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
-  const int shears = rolling.friction.coefficient > 0.0 ? (rolling.creepage ? 2 : 1) : 0;
+  const int shears = rolling.friction.coefficient > 0.0 || heats ? (rolling.creepage ? 2 : 1) : 0;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
                                    heats ? &rolling.heat : nullptr);
   return plan;

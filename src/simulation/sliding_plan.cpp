@@ -144,6 +144,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "sliding.distance"));
   lay_out(sliding, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
   require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
+  require_source_fits(sliding, plan.contact);
   plan.reference = reference_distance(sliding.lower.shape, sliding.upper.shape, sliding.domain);
   plan.touching_gap = sliding.domain.is_periodic() ? touching_gap(pressing(sliding), plan.contact)
                                                    : std::numeric_limits<double>::quiet_NaN();
@@ -153,8 +154,9 @@ SlidingPlan plan(const SlidingCase& sliding)
                           "sliding.strokes");
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
-  plan.memory_bytes = memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver,
-                                   sliding.friction.coefficient > 0.0 ? 1 : 0, heats ? &sliding.heat : nullptr);
+  plan.memory_bytes =
+      memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver,
+                   sliding.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &sliding.heat : nullptr);
   return plan;
 }
 

@@ -189,6 +189,7 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
     in_time.duration = target.time - time_;
     in_time.slid = target.slid - slid_;
     in_time.is_put_down = target.is_put_down;
+    in_time.returns = target.returns;
     in_time.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
     const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, in_time, target.along);
     evaluations_ += report.evaluations;
@@ -286,7 +287,8 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
 
 double Stepper::memory_of(const Plan& plan) const
 {
-  const int shears = setup_.sliding.friction.coefficient > 0.0 ? (setup_.sliding.sticks ? 2 : 1) : 0;
+  const bool has_shear = setup_.sliding.friction.coefficient > 0.0 || setup_.sliding.heat;
+  const int shears = has_shear ? (setup_.sliding.sticks ? 2 : 1) : 0;
   return simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver, shears,
                                   setup_.sliding.heat ? &setup_.sliding.heat->settings : nullptr);
 }

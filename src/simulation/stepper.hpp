@@ -27,6 +27,7 @@ struct Target
   double time = 0.0;                ///< since the start [s]; without a change of time heat does not change
   double slid = 0.0;                ///< accumulated sliding distance of the undeformed surfaces since the start [m]
   bool is_put_down = false;         ///< see Strategy::is_put_down
+  bool returns = false;             ///< see Strategy::returns
 };
 
 /// The contact grid at one moment of the motion.

@@ -64,6 +64,7 @@ public:
       there.time = moment.time;
       there.slid = moment.slid;
       there.is_put_down = first;
+      there.returns = first;
       return there;
     };
     return {path, first ? 1.0 : 1.0 / cells_, fmt::format("pass {}, X = {:g} m", pass_ + 1, to_.X)};

@@ -171,6 +171,7 @@ Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& pas
   e.upper_x = track_half_length(tugging, pair, passing, passing.radius_upper(), scale);
   const bool endless = touch_all_along_y(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   e.depth = scale * stressed_depth(half_x, endless ? std::numeric_limits<double>::infinity() : half_y);
+  cover(tugging.heat.source, e);
   return e;
 }
 
@@ -263,6 +264,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   TuggingPlan plan;
   lay_out(cell, extents(tugging, pair, pass), tugging.domain, plan);
   require_cells_in_periods(tugging.lower, tugging.upper, tugging.domain, plan.contact);
+  require_source_fits(tugging, plan.contact);
   plan.closest = pair.closest;
   plan.reference = reference_distance(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   plan.elastic_contact_radius = pair.contact.half_x;
@@ -282,8 +284,9 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
-  plan.memory_bytes = memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver,
-                                   tugging.friction.coefficient > 0.0 ? 1 : 0, heats ? &tugging.heat : nullptr);
+  plan.memory_bytes =
+      memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver,
+                   tugging.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &tugging.heat : nullptr);
   return plan;
 }
 

@@ -3,6 +3,7 @@
 
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/body_view.hpp"
+#include "brinell/elastoplastic/heat_source.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/hidden.hpp"
@@ -31,7 +32,7 @@ enum class AtMelting
   stop   ///< the run ends before this step
 };
 
-/// Settings for the heat of friction and of plastic work: docs/theory/heat.md (heat-of-friction).
+/// Settings for the heat of friction, of plastic work and from outside: docs/theory/heat.md (heat-of-friction).
 struct HeatSettings
 {
   double fraction = 1.0; ///< share of the friction power that enters the bodies as heat, [0, 1]
@@ -50,6 +51,7 @@ struct HeatSettings
   bool displacement = true; ///< whether thermal expansion of the surfaces changes the gap
   bool stress = true;       ///< whether thermal stress contributes to yielding
   AtMelting at_melting = AtMelting::go_on;
+  HeatSource source{};
 
   [[nodiscard]] double share() const { return partition.value_or(0.5); }
   /// Whether heat passes between the surfaces.
@@ -71,7 +73,7 @@ struct HeatNumerics
   Symmetry symmetry = Symmetry::none; ///< symmetry of all fluxes
 };
 
-/// Heat of friction and of plastic work in two bodies: its partition, the temperatures, and the thermal displacement of the
+/// Heat of friction, of plastic work and from outside in two bodies: its partition, the temperatures, and the thermal displacement of the
 /// surfaces and thermal stress that follow. It takes part in each increment like an `Interface`.
 ///
 /// A rigid body without thermal constants neither conducts nor expands. The heat of each body is kept on a separate grid, at rest
@@ -99,6 +101,9 @@ public:
     double duration = 0.0;           ///< [s]; 0: no heat is generated or conducted
     double slid = 0.0;               ///< sliding distance of the undeformed surfaces [m], >= 0
     std::span<const double> shear_at_start{}; ///< SlidingInterface::shear_at_start [Pa]
+    std::span<const double>
+        pressure_before{};    ///< at the beginning [Pa]; may be empty without a source between the surfaces
+    bool is_source_on = true; ///< whether HeatSource acts in this increment
   };
   void begin(const Start& start);
   [[nodiscard]] bool is_steady() const;
@@ -138,6 +143,8 @@ public:
   [[nodiscard]] double heat(std::size_t side) const;                         ///< since the start [J]
   /// Heat of friction since the start, times the fraction [J].
   [[nodiscard]] double heat_of_friction() const;
+  /// Heat of the HeatSource since the start [J].
+  [[nodiscard]] double heat_of_source() const;
   /// Heat of the plastic work of both bodies since the start [J].
   [[nodiscard]] double heat_of_plastic_work() const;
   /// Work of the thermal displacement of the surfaces against the pressure since the start [J].

@@ -87,7 +87,8 @@ struct Strategy
   double duration = 0.0;              ///< of the increment [s]; 0: no heat is generated or conducted
   double slid = 0.0;                  ///< sliding distance of the undeformed surfaces in the increment [m], >= 0
   bool is_put_down =
-      false; ///< the contact was put down at its place without moving over the bodies: no heat on the way
+      false;            ///< the contact was put down at its place without moving over the bodies: no heat on the way
+  bool returns = false; ///< includes the way back of the contact to its start: no heat from a HeatSource
   /// Distances that the contact moves over the lower and the upper body in the increment [m]. Placements follow by whole columns.
   std::array<double, 2> moved{};
 };

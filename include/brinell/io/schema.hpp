@@ -138,6 +138,9 @@ struct Entry
 /// The default of a key in a scenario.
 [[nodiscard]] std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario);
 
+/// Whether a key may be given in a scenario, by its condition and those of the keys that this condition names.
+[[nodiscard]] bool belongs_to(const Entry& entry, std::string_view scenario);
+
 /// All keys: parents before children, and keys before those that depend on them.
 [[nodiscard]] const std::vector<Entry>& case_schema();
 

@@ -23,6 +23,8 @@ inline constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
 inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};
 inline constexpr Dimension velocity{.length = 1, .time = -1};
 inline constexpr Dimension conductivity{.mass = 1, .length = 1, .time = -3, .temperature = -1};
+inline constexpr Dimension power{.mass = 1, .length = 2, .time = -3};
+inline constexpr Dimension heat_flux{.mass = 1, .time = -3};
 inline constexpr Dimension conductance{.mass = 1, .time = -3, .temperature = -1};
 inline constexpr Dimension density{.mass = 1, .length = -3};
 inline constexpr Dimension specific_heat{.length = 2, .time = -2, .temperature = -1};

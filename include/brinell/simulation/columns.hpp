@@ -61,14 +61,17 @@ inline constexpr Column<FrictionRecord> share_at_shear_limit{
     "share_at_shear_limit", "1", &FrictionRecord::share_at_shear_limit,
     "share of the contact where the shear is at the limit of the surface"};
 
-/// Columns of the scenarios in which friction may heat.
-inline constexpr std::array<Column<HeatedRecord>, 6> heated{{
+/// Columns of the scenarios in which bodies may be heated.
+inline constexpr std::array<Column<HeatedRecord>, 7> heated{{
     {"max_temperature_lower", "degC", &HeatedRecord::max_temperature_lower,
      "largest temperature of the lower surface in and around the contact; without heat the bulk temperature"},
     {"max_temperature_upper", "degC", &HeatedRecord::max_temperature_upper,
      "largest temperature of the upper surface in and around the contact; without heat the bulk temperature"},
-    {"heat_lower", "J", &HeatedRecord::heat_lower, "heat of friction that has entered the lower body since the start"},
-    {"heat_upper", "J", &HeatedRecord::heat_upper, "heat of friction that has entered the upper body since the start"},
+    {"heat_lower", "J", &HeatedRecord::heat_lower,
+     "heat that has entered the lower body by its surface since the start"},
+    {"heat_upper", "J", &HeatedRecord::heat_upper,
+     "heat that has entered the upper body by its surface since the start"},
+    {"heat_of_source", "J", &HeatedRecord::heat_of_source, "heat of the source (thermal.source) since the start"},
     {"heat_of_plastic_work", "J", &HeatedRecord::heat_of_plastic_work,
      "heat of the plastic work of both bodies since the start"},
     {"work_of_expansion", "J", &HeatedRecord::work_of_expansion,

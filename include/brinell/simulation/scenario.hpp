@@ -90,7 +90,7 @@ struct Numerics
 {
   elastoplastic::Friction friction; ///< where the surfaces slide on each other
   elastoplastic::WearLaw wear;      ///< where the surfaces slide on each other
-  elastoplastic::HeatSettings heat; ///< heat of friction and plastic work, in bodies that have thermal constants
+  elastoplastic::HeatSettings heat; ///< in bodies that have thermal constants
   Domain domain;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
   double resolution = 8.0;                      ///< cells per contact radius along x if no spacing is given
@@ -165,7 +165,8 @@ struct HeatedRecord : FrictionRecord
 {
   /// Largest temperature of each surface under the contact grid, at the end of the step [deg C]; without heat that of the bulk.
   double max_temperature_lower = 0.0, max_temperature_upper = 0.0;
-  double heat_lower = 0.0, heat_upper = 0.0; ///< heat of friction that has entered each body since the start [J]
+  double heat_lower = 0.0, heat_upper = 0.0; ///< heat that has entered each body by its surface since the start [J]
+  double heat_of_source = 0.0;               ///< heat of the HeatSource since the start [J]
   double heat_of_plastic_work = 0.0;         ///< heat of the plastic work of both bodies since the start [J]
 };
 

@@ -139,6 +139,7 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     common::heated[3],
     common::heated[4],
     common::heated[5],
+    common::heated[6],
     common::worn[0],
     common::worn[1],
     common::worn[2],

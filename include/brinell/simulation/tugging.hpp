@@ -151,6 +151,7 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     common::heated[3],
     common::heated[4],
     common::heated[5],
+    common::heated[6],
 });
 
 } // namespace brinell::simulation

@@ -76,8 +76,8 @@ def surface_temperatures(run: Run) -> Figure | None:
     """Largest temperature of each surface, and the heat that has entered each body, over a distance.
 
     The distance is the sliding coordinate for tugging, the sliding distance in several passes, otherwise the distance
-    slid or rolled; steps of pressing and lifting off are left out. The heat of the plastic work in both bodies is
-    drawn, too.
+    slid or rolled; steps of pressing and lifting off are left out. The heat of the plastic work in both bodies and that
+    of a source from outside are drawn, too.
 
     Returns:
         None if no heat was computed.
@@ -85,15 +85,20 @@ def surface_temperatures(run: Run) -> Figure | None:
     if not _is_heated(run):
         return None
     course = _heated_course(run)
-    heat = si(course.largest("heat_lower", "heat_upper"), "J")
+    heat = si(course.largest("heat_lower", "heat_upper", "heat_of_source"), "J")
     fig = style.new_figure(9.6, 3.3)
     warm, taken = fig.subplots(1, 2, sharex=True)
     for side, look in _SIDES:
         _draw_course(warm, course, f"max_temperature_{side}", DEGREES, {**look, "label": side})
         _draw_course(taken, course, f"heat_{side}", heat, {**look, "label": side})
-    if course.largest("heat_of_plastic_work") > 0.0:
-        of_work = {"color": style.CATEGORIES[2], "linestyle": ":", "label": "of plastic work, both"}
-        _draw_course(taken, course, "heat_of_plastic_work", heat, of_work)
+    further = [
+        ("heat_of_plastic_work", {"color": style.CATEGORIES[2], "linestyle": ":", "label": "of plastic work, both"}),
+        ("heat_of_source", {"color": style.CATEGORIES[3], "linestyle": "-.", "label": "of the source"}),
+    ]
+    drawn = [(name, look) for name, look in further if course.largest(name) > 0.0]
+    for name, look in drawn:
+        _draw_course(taken, course, name, heat, look)
+    if drawn:
         taken.legend()
     warm.set_title("(a)  hottest place of each surface")
     warm.set_ylabel(DEGREES.label("temperature", "T"))

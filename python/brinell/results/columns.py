@@ -28,6 +28,7 @@ _OF_HEAT = (
     "max_temperature_upper",
     "heat_lower",
     "heat_upper",
+    "heat_of_source",
     "heat_of_plastic_work",
     "work_of_expansion",
 )

@@ -193,7 +193,10 @@ void warn_of_keys_without_heat(const CaseReader& reader, Case& c, const std::str
                                  std::string("interface.heat_fraction")})
     if (differs(key))
       warn(c, "no_heat",
-           "{} has no effect: heat is computed only with interface.friction and the thermal constants of a body", key);
+           "{} has no effect: heat is computed only with interface.friction or thermal.source, and the thermal "
+           "constants "
+           "of a body",
+           key);
 }
 
 /// Warns of everything about heat and softening in a case that has no effect.
@@ -201,16 +204,17 @@ template <typename ScenarioCase>
 void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
 {
   constexpr bool can_heat = std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>;
-  const bool has_friction = scenario.friction.coefficient > 0.0;
+  const bool has_source = scenario.friction.coefficient > 0.0 || scenario.heat.source.exists();
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
-    if (body->material.thermal && !(can_heat && has_friction))
+    if (body->material.thermal && !(can_heat && has_source))
       warn(c, "no_heat", "{}.material.thermal has no effect: {}", name,
-           can_heat ? "without interface.friction there is no heat" : "no heat is computed in this scenario");
+           can_heat ? "without interface.friction or thermal.source there is no heat"
+                    : "no heat is computed in this scenario");
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
-    if (body->material.softening && !(can_heat && has_friction && body->material.thermal))
+    if (body->material.softening && !(can_heat && has_source && body->material.thermal))
       warn(c, "no_heat", "{}.material.softening has no effect: no heat is computed in this case", name);
   if constexpr (can_heat)
-    if (!(has_friction && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
+    if (!(has_source && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
       warn_of_keys_without_heat(reader, c, fmt::format("{}.speed", io_of(scenario).name));
 }
 

@@ -108,7 +108,68 @@ std::vector<Entry> interface_entries()
        wear_entries()});
 }
 
-std::vector<Entry> heat_entries()
+namespace
+{
+
+/// Keys of a heat source from outside.
+std::vector<Entry> source_entries()
+{
+  using elastoplastic::HeatSettings;
+  using elastoplastic::HeatSource;
+  const auto entry = [](Entry given, std::vector<std::string> shapes, auto member)
+  {
+    given.when = {"thermal.source.shape", std::move(shapes)};
+    return bound(std::move(given), &simulation::Numerics::heat, &HeatSettings::source, member);
+  };
+  Entry shape{.key = "thermal.source.shape",
+              .choices = {"none", "disc", "rectangle", "contact"},
+              .text = "Heat that is supplied from outside at a constant power, also without friction, and moves with "
+                      "the contact. disc, rectangle: uniform flux into the surface of one body, as by a laser or a "
+                      "heater; contact: heat that arises between the surfaces in proportion to the pressure, as by an "
+                      "electric current, and is shared as the heat of friction. It acts from the first step on, except "
+                      "on the way back between passes. Needs thermal constants and a speed."};
+  shape.when = {"scenario", scenarios_with_record<simulation::HeatedRecord>()};
+  const std::vector<std::string> on_body{"disc", "rectangle"}, all{"disc", "rectangle", "contact"};
+  return {
+      bound(std::move(shape), &simulation::Numerics::heat, &HeatSettings::source, &HeatSource::shape),
+      entry({.key = "thermal.source.on", .choices = {"lower", "upper"}, .text = "Body whose surface the source heats."},
+            on_body, &HeatSource::on),
+      entry({.key = "thermal.source.power",
+             .of = kind::power.above(0.0),
+             .unset = "the flux is given",
+             .text = "Power of the source; over a period or in plane strain, that of one period.",
+             .excludes = "thermal.source.flux"},
+            all, &HeatSource::power),
+      entry({.key = "thermal.source.flux",
+             .of = kind::heat_flux.above(0.0),
+             .unset = "the power is given",
+             .text = "Flux of the source, instead of its power.",
+             .excludes = "thermal.source.power"},
+            on_body, &HeatSource::flux),
+      entry({.key = "thermal.source.radius",
+             .of = kind::length.above(0.0),
+             .required = true,
+             .text = "Radius of the disc."},
+            {"disc"}, &HeatSource::radius),
+      entry({.key = "thermal.source.length",
+             .of = kind::length.above(0.0),
+             .required = true,
+             .text = "Length of the rectangle along x."},
+            {"rectangle"}, &HeatSource::length),
+      entry({.key = "thermal.source.width",
+             .of = kind::length.above(0.0),
+             .unset = "along a periodic axis the whole period; otherwise it has to be given",
+             .text = "Width of the rectangle along y."},
+            {"rectangle"}, &HeatSource::width),
+      entry({.key = "thermal.source.offset",
+             .of = kind::length,
+             .text = "Distance of the middle of the source from the middle of the contact grid, along x."},
+            on_body, &HeatSource::offset),
+  };
+}
+
+/// Keys of how heat is shared, spreads and acts.
+std::vector<Entry> effect_entries()
 {
   using elastoplastic::HeatSettings;
   return {
@@ -162,6 +223,13 @@ std::vector<Entry> heat_entries()
                        "stop: the run ends with an error and keeps the steps before."},
               &HeatSettings::at_melting),
   };
+}
+
+} // namespace
+
+std::vector<Entry> heat_entries()
+{
+  return joined({effect_entries(), source_entries()});
 }
 
 } // namespace brinell::io

@@ -111,7 +111,7 @@ Entry parameter(const std::string& choice, const std::vector<Option<Product>>& o
 
 /// Keys of the interface: friction, its heat, wear.
 [[nodiscard]] std::vector<Entry> interface_entries();
-/// Keys of the table `thermal`: what the heat of friction changes.
+/// Keys of the table `thermal`: what heat changes, and a source of heat from outside.
 [[nodiscard]] std::vector<Entry> heat_entries();
 
 /// Kinds of values.
@@ -123,6 +123,7 @@ inline constexpr ValueKind share{.notation = Notation::share}, angle{.notation =
 inline constexpr ValueKind length{.dimension = dimension::length}, force{.dimension = dimension::force},
     pressure{.dimension = dimension::pressure}, velocity{.dimension = dimension::velocity},
     conductivity{.dimension = dimension::conductivity}, conductance{.dimension = dimension::conductance},
+    power{.dimension = dimension::power}, heat_flux{.dimension = dimension::heat_flux},
     density{.dimension = dimension::density}, specific_heat{.dimension = dimension::specific_heat},
     expansion{.dimension = dimension::expansion}, wear{.dimension = dimension::wear},
     duration{.dimension = {.time = 1}}, per_length{.dimension = {.length = -1}};

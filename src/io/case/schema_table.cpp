@@ -265,6 +265,15 @@ std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)
   return entry.fallback;
 }
 
+bool belongs_to(const Entry& entry, std::string_view scenario)
+{
+  const auto& [key, values] = entry.when;
+  if (key == "scenario")
+    return std::find(values.begin(), values.end(), scenario) != values.end();
+  const Entry* parent = key.empty() ? nullptr : find_entry(key);
+  return parent == nullptr || belongs_to(*parent, scenario);
+}
+
 std::vector<std::string> keys_of_group(std::string_view group)
 {
   std::vector<std::string> keys;

@@ -77,10 +77,7 @@ std::vector<std::string> children(std::string_view parent, std::string_view scen
   const std::string prefix = parent.empty() ? "" : fmt::format("{}.", plain_key(parent));
   for (const Entry& entry : case_schema())
   {
-    const auto& scenarios = entry.when.values;
-    const bool is_of_another = !scenario.empty() && entry.when.key == "scenario" &&
-                               std::find(scenarios.begin(), scenarios.end(), scenario) == scenarios.end();
-    if (!entry.key.starts_with(prefix) || is_of_another)
+    if (!entry.key.starts_with(prefix) || (!scenario.empty() && !belongs_to(entry, scenario)))
       continue;
     const std::string rest = entry.key.substr(prefix.size()), name = rest.substr(0, rest.find('.'));
     if (std::find(names.begin(), names.end(), name) == names.end())

@@ -75,6 +75,8 @@ constexpr std::array named_dimensions{
     NamedDimension{{.length = 1, .time = -1}, "velocity", "m/s", "3 m/s"},
     NamedDimension{{.temperature = 1}, "difference of temperatures", "K", "300 K"},
     NamedDimension{dimension::conductivity, "thermal conductivity", "W/(m K)", "50 W/(m K)"},
+    NamedDimension{dimension::power, "power", "W", "5 W"},
+    NamedDimension{dimension::heat_flux, "heat flux", "W/m^2", "20 W/mm^2"},
     NamedDimension{dimension::conductance, "thermal conductance", "W/(m^2 K)", "3e4 W/(m^2 K)"},
     NamedDimension{dimension::density, "density", "kg/m^3", "7850 kg/m^3"},
     NamedDimension{dimension::specific_heat, "specific heat", "J/(kg K)", "460 J/(kg K)"},

@@ -83,7 +83,7 @@ TEST(ThermalCase, BadConstantsNameTheKeyAndWhatIsAllowed)
   expect_message("expansion = 12",
                  "expansion = 12 is out of range; allowed: thermal expansion in [-0.001, 0.001], in 1/K");
   expect_message("expansion = nan", "is not a finite number");
-  expect_message("conductivity = \"50 W\"", "is a quantity in kg m^2 s^-3; allowed: thermal conductivity > 0");
+  expect_message("conductivity = \"50 W\"", "is a power; allowed: thermal conductivity > 0");
   expect_message("temperature = -300", "temperature = -300 is out of range; allowed: temperature > -273.15, in degC");
   expect_message("temperature = \"0 K\"", "is out of range");
   expect_message("temperature = \"20 K\"", "conductivity is missing");
@@ -220,6 +220,47 @@ TEST(SofteningCase, WhatIsNoLawIsRefused)
   refused(R"(law = "table", temperature = [20], factor = [0])", "element 0, which is out of range");
   refused(R"(law = "melts")", "\"linear\", \"johnson_cook\" or \"table\"");
   refused("melting_temperature = 1500", "applies only with lower.material.softening.law");
+}
+
+TEST(ThermalCase, ASourceOfHeat)
+{
+  using elastoplastic::HeatSource;
+  const std::string lower = "lower.material.thermal={" + steel + "}", upper = "upper.material.thermal={" + steel + "}";
+  const std::string speed = "tugging.speed=\"3 m/s\"", disc = "thermal.source={shape=\"disc\", on=\"upper\", ";
+  const Case c = sample::parsed({lower, upper, speed, disc + "power=\"2 W\", radius=\"50 um\", offset=\"-20 um\"}"});
+  const HeatSource expected{
+      .shape = HeatSource::Shape::disc, .on = HeatSource::Side::upper, .power = 2.0, .radius = 50e-6, .offset = -20e-6};
+  EXPECT_EQ(sample::tugging(c).heat.source, expected);
+  EXPECT_FALSE(warns(c, "no_heat"));
+  const auto refused = [&](const std::string& source, const std::string& part, const std::vector<std::string>& others)
+  {
+    std::vector<std::string> overrides = others;
+    overrides.push_back(source);
+    try
+    {
+      static_cast<void>(sample::parsed(overrides));
+      ADD_FAILURE() << "not refused: " << source;
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  const std::vector<std::string> both{lower, upper, speed};
+  refused(disc + "power=2, radius=-1}", "thermal.source.radius = -1 is out of range", both);
+  refused(disc + "power=2}", "thermal.source.radius is missing", both);
+  refused(disc + "radius=\"50 um\"}", "thermal.source.power is missing", both);
+  refused(disc + "power=2, flux=1e6, radius=\"50 um\"}", "cannot stand together with thermal.source.flux", both);
+  refused(disc + "power=\"2 N\", radius=\"50 um\"}", "allowed: power > 0, in W", both);
+  refused(disc + "power=2, radius=\"50 um\", length=1}", "thermal.source.length = 1 applies only with", both);
+  refused("thermal.source={shape=\"rectangle\", power=2, length=\"50 um\"}", "thermal.source.width is missing", both);
+  refused("thermal.source={shape=\"contact\", flux=2}", "applies only with thermal.source.shape", both);
+  refused("thermal.source={shape=\"ring\", power=2}", "thermal.source.shape = \"ring\"", both);
+  refused("thermal.source={shape=\"contact\", power=2}", "with a heat source and the thermal constants",
+          {lower, upper});
+  refused(disc + "power=2, radius=\"50 um\"}", "upper.material.thermal is missing: thermal.source heats this body",
+          {lower, speed, "upper.material.rigid=true"});
+  refused("thermal.source={shape=\"contact\", power=2}", "lower.material.thermal is missing", {speed});
 }
 
 } // namespace
