@@ -65,15 +65,17 @@ HalfSpace::Work HalfSpace::make_work() const
 
 void HalfSpace::exchange_buffers(Work& guest, Work& host)
 {
-  for (const auto spectra : {&Work::Buffers::strain, &Work::Buffers::stress})
+  for (const auto spectra : Work::Buffers::lent())
     ((*guest.buffers_).*spectra).swap((*host.buffers_).*spectra);
+  // The buffers of the host hold as many blocks as it works on at a time, which may be fewer than the guest would choose.
+  std::swap(guest.buffers_->blocks_at_a_time, host.buffers_->blocks_at_a_time);
   ++host.buffers_->number; // the strain that it held is lost
 }
 
 HalfSpace::Work HalfSpace::make_guest() const
 {
   Work work = make_work();
-  for (const auto spectra : {&Work::Buffers::strain, &Work::Buffers::stress})
+  for (const auto spectra : Work::Buffers::lent())
     (*work.buffers_).*spectra = {};
   return work;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_space_operators.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "foundation/fft.hpp"
 #include "foundation/lane_functions.hpp"
 #include "foundation/sharing.hpp"
@@ -93,6 +94,9 @@ int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain
 void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements,
                                        Work::Buffers& work, ComplexLanes* trace) const
 {
+  if (work.strain.size() < static_cast<std::size_t>(work.blocks_at_a_time) * volume_fft.block_size())
+    throw InternalError(
+        "HalfSpace::load: the buffers of the strain are too small; were they lent to another half space?");
   const int strained = strained_layers(plastic_strain, work.symmetry);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;

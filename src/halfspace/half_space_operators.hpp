@@ -58,6 +58,9 @@ struct HalfSpace::Work::Buffers
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
 
+  /// The buffers that a guest borrows: their size per block does not depend on the number of columns.
+  static constexpr auto lent() { return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts}; }
+
   /// Rows of the strain, between its transforms along x and y, are stored at the end of the memory of the stress: the rows of a
   /// block are read before the stress of this block is written, which ends before the rows of the next block begin.
   /// @param size  number of values in the rows of all blocks

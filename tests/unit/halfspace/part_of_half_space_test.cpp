@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <omp.h>
 #include <utility>
 #include <vector>
 
@@ -110,6 +111,37 @@ TEST(PartOfHalfSpace, AGuestComputesTheSameWithTheBuffersOfItsHost)
     EXPECT_EQ(found, expected);
     EXPECT_THROW(before.stress({}, of_noise), std::exception) << "the strain of the host is lost";
   }
+}
+
+// Whether each thread has a block of its own depends on the number of blocks, which a guest has fewer of than its host.
+TEST(PartOfHalfSpace, AGuestComputesTheSameWhateverTheNumbersOfBlocksAndThreads)
+{
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(3);
+  const HalfSpace guest({{16, 5, 1e-3, 1e-3}, 4, 1e-3}, elastic);
+  const std::vector<double> strain = test::random_field(Deviator::size * guest.grid().size(), 6);
+  const int layers = guest.grid().nz;
+  HalfSpace::Work own = guest.make_work();
+  std::vector<double> expected(strain.size()), of_surface(guest.grid().surface.size());
+  const auto alone = guest.load(strain, layers, own);
+  alone.stress({}, expected);
+  alone.displacement({.z = of_surface});
+  for (int columns = 17; columns < 60; columns += 3)
+  {
+    const HalfSpace host({{columns, 5, 1e-3, 1e-3}, layers, 1e-3}, elastic);
+    HalfSpace::Work hosts = host.make_work(), lent = guest.make_guest();
+    HalfSpace::exchange_buffers(lent, hosts);
+    std::vector<double> found(strain.size()), displacement(of_surface.size());
+    const auto loaded = guest.load(strain, layers, lent);
+    loaded.stress({}, found);
+    loaded.displacement({.z = displacement});
+    EXPECT_LT(difference(found, expected), 1e-13) << columns;
+    EXPECT_LT(difference(displacement, of_surface), 1e-13) << columns;
+    HalfSpace::exchange_buffers(lent, hosts);
+    EXPECT_NO_THROW(host.load(std::vector<double>(Deviator::size * host.grid().size(), 1e-3), layers, hosts))
+        << columns;
+  }
+  omp_set_num_threads(before);
 }
 
 } // namespace
