@@ -345,7 +345,7 @@ def test_plastic_work_heats(run: Run) -> None:
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
 def test_a_source_heats_without_friction_and_its_heat_is_in_the_bodies() -> None:
     """A spot on the upper body passes heat to the lower one where they touch; nothing is lost."""
-    source = brinell.HeatSource(shape="disc", on="upper", power="2 W", radius="50 um")
+    source = brinell.HeatSource(shape="disc", on="upper", power="2 W", radius="1 mm")
     run = tugging(interface=None, thermal=brinell.Heating(source=source)).run(in_memory=True)
     history = run.history
     given = history["heat_of_source"]
@@ -355,6 +355,13 @@ def test_a_source_heats_without_friction_and_its_heat_is_in_the_bodies() -> None
     figure = surface_temperatures(run)
     assert figure is not None
     assert "of the source" in legend_of(figure.axes[1])
+    # The spot is wider than the contact and drawn where it is; the other body takes heat in the contact only.
+    contact = run.snapshot("aligned").contact
+    assert contact.heat_flux_upper[contact.pressure == 0.0].any()
+    maps = [ax for ax in surface_temperature_maps(run, "aligned", cells=True).axes if ax.images]
+    lower, upper = (ax.images[0].get_array() for ax in maps[2:])
+    np.testing.assert_allclose(1e6 * np.asarray(upper), contact.heat_flux_upper, atol=1e-3)
+    np.testing.assert_array_equal(lower.mask, contact.pressure == 0.0)
 
 
 def test_hot_bodies_are_softer(run: Run) -> None:

@@ -251,7 +251,7 @@ def _draw_temperatures(
 def _draw_fluxes(
     axes: Sequence[Axes], contact: ContactFields, surfaces: Sequence[_Surface], length: float, *, cells: bool
 ) -> None:
-    """Draws the heat fluxes; white around the contact, where no heat passes."""
+    """Draws the heat fluxes; white around the contact, unless a source from outside heats the surface there."""
     lowest, highest = _range([one.flux for one in surfaces])
     flux = si(max(-lowest, highest), "W/m²")
     reach = max(-lowest, highest) / flux.size or 1.0
@@ -264,11 +264,14 @@ def _draw_fluxes(
     outside = contact.pressure <= 0.0 if cells else refined(edge, factor) <= 0.0
     place = extent(contact.x, contact.y, length)
     for ax, one in zip(axes, surfaces, strict=True):
-        shown = np.ma.masked_where(outside, refined(one.flux, factor) / flux.size)
+        is_heated_around = bool(np.any(one.flux[contact.pressure <= 0.0]))
+        values = refined(one.flux, factor) / flux.size
+        shown = values if is_heated_around else np.ma.masked_where(outside, values)
         ax.imshow(shown, origin="lower", extent=place, cmap=colour_map, norm=norm, interpolation="nearest")
         if not cells and edge.min() < 0.0:  # even refined cells show as steps: cut them along the edge
             middles = (contact.x / length, contact.y / length, edge)
-            ax.contourf(*middles, levels=[edge.min() - 1.0, 0.0], colors="white")
+            if not is_heated_around:
+                ax.contourf(*middles, levels=[edge.min() - 1.0, 0.0], colors="white")
             ax.contour(*middles, levels=[0.0], colors=style.CONTACT_LINE, linewidths=1.0)
     _colour_bar(axes, colour_map, norm, flux.label("", "q"))
 

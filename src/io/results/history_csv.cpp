@@ -69,10 +69,11 @@ HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<Named
   std::vector<NamedNumber> row = record;
   for (std::size_t i = 0; i < rows(); ++i)
   {
-    for (std::size_t c = 0; c < row.size(); ++c)
-      std::visit([value = columns_[c].values[i]](auto& number)
+    auto column = columns_.begin();
+    for (NamedNumber& cell : row)
+      std::visit([value = (column++)->values[i]](auto& number)
                  { number = static_cast<std::decay_t<decltype(number)>>(value); },
-                 row[c].value);
+                 cell.value);
     text += history_row(row) + '\n';
   }
   replace_file(path_, text);
