@@ -7,8 +7,8 @@
 namespace brinell::simulation::test
 {
 
-inline const constitutive::Material steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
-inline const constitutive::Material soft{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
+inline const constitutive::Material hard_steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
+inline const constitutive::Material soft_steel{{120e9, 0.34}, constitutive::LinearHardening{0.4e9, 5e9}};
 
 inline constexpr double period = 33e-6;
 
@@ -18,8 +18,8 @@ inline constexpr double period = 33e-6;
 inline SlidingCase waves(int cells, int steps)
 {
   SlidingCase c;
-  c.lower = {Plane{}, soft};
-  c.upper = {Plane{}, steel};
+  c.lower = {Plane{}, soft_steel};
+  c.upper = {Plane{}, hard_steel};
   c.lower.texture = Sinusoid{0.2e-6, period, period, 3e-6, -2e-6};
   c.upper.texture = Sinusoid{0.1e-6, period, 0.5 * period, -5e-6, 1e-6};
   c.domain.x = c.domain.y = {Boundary::periodic, period, cells};

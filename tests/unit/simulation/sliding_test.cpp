@@ -23,9 +23,9 @@ namespace
 {
 
 using Kind = contact::Drive::Kind;
+using test::hard_steel;
 using test::period;
-using test::soft;
-using test::steel;
+using test::soft_steel;
 
 constexpr double cell = 1e-6;
 
@@ -38,9 +38,9 @@ SlidingCase waves()
 SlidingCase ball()
 {
   SlidingCase c;
-  c.lower = {Plane{}, soft};
+  c.lower = {Plane{}, soft_steel};
   c.lower.texture = Dent{10e-6, 0.0, 0.1e-6, 30e-6};
-  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, hard_steel};
   c.press = {Kind::load, 2.0};
   c.press_steps = 1;
   c.distance = 60e-6;

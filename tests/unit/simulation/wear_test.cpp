@@ -24,9 +24,9 @@ namespace
 
 using Kind = contact::Drive::Kind;
 using elastoplastic::WearLaw;
+using test::hard_steel;
 using test::period;
-using test::soft;
-using test::steel;
+using test::soft_steel;
 
 /// Waves on both of two steels, in a period, with friction and wear.
 SlidingCase waves()
@@ -41,8 +41,8 @@ SlidingCase waves()
 SlidingCase ball()
 {
   SlidingCase c;
-  c.lower = {Plane{}, soft};
-  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.lower = {Plane{}, soft_steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, hard_steel};
   c.press = {Kind::load, 2.0};
   c.press_steps = 2;
   c.distance = 30e-6;
@@ -55,8 +55,8 @@ SlidingCase ball()
 FrettingCase fretting()
 {
   FrettingCase c;
-  c.lower = {Plane{}, soft};
-  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.lower = {Plane{}, soft_steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, hard_steel};
   c.press = {Kind::load, 2.0};
   c.press_steps = 2;
   c.amplitude = 3e-7;
@@ -70,8 +70,8 @@ FrettingCase fretting()
 RollingCase rolling()
 {
   RollingCase c;
-  c.lower = {Plane{}, soft};
-  c.upper = {Paraboloid{1e-3, 1e-3}, steel};
+  c.lower = {Plane{}, soft_steel};
+  c.upper = {Paraboloid{1e-3, 1e-3}, hard_steel};
   c.drive = {Kind::load, 2.0};
   c.load_steps = 2;
   c.distance = 30e-6;
