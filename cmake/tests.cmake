@@ -44,7 +44,7 @@ function(brinell_add_tests label timeout)
 endfunction()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS tests/unit/*_test.cpp)
-file(GLOB verification_tests CONFIGURE_DEPENDS tests/verification/*_test.cpp)
+file(GLOB verification_tests CONFIGURE_DEPENDS tests/verification/*.cpp)
 file(GLOB regression_tests CONFIGURE_DEPENDS tests/regression/*_test.cpp)
 file(GLOB cli_tests CONFIGURE_DEPENDS tests/cli/*_test.cpp)
 brinell_add_tests(unit 300 ${unit_tests})
