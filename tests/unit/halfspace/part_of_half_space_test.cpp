@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <omp.h>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -138,8 +139,8 @@ TEST(PartOfHalfSpace, AGuestComputesTheSameWhateverTheNumbersOfBlocksAndThreads)
     EXPECT_LT(difference(found, expected), 1e-13) << columns;
     EXPECT_LT(difference(displacement, of_surface), 1e-13) << columns;
     HalfSpace::exchange_buffers(lent, hosts);
-    EXPECT_NO_THROW(host.load(std::vector<double>(Deviator::size * host.grid().size(), 1e-3), layers, hosts))
-        << columns;
+    const std::vector<double> of_host(Deviator::size * host.grid().size(), 1e-3);
+    EXPECT_NO_THROW(std::ignore = host.load(of_host, layers, hosts)) << columns;
   }
   omp_set_num_threads(before);
 }
