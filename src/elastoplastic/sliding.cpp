@@ -62,6 +62,10 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
   if (!friction.coupling)
     lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
+  if (lower == upper || lower.is_rigid() || upper.is_rigid())
+    lower_share_ = lower == upper ? 0.5 : (lower.is_rigid() ? 0.0 : 1.0);
+  else
+    lower_alone_.emplace(grid, lower, rigid_body, reference);
   for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch,
                                      &state_.upper_stretch, &work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);
@@ -146,9 +150,9 @@ void SlidingInterface::add_to_gap(std::span<double> gap) const
   add(lower_weight_ - upper_weight_, state_.depth, gap);
 }
 
-/// Pressure displaces both surfaces in the same direction along x, in proportion to their weights. Shear displaces them in
-/// opposite directions; its stretch is left out, because it vanishes in sum: the displacement along x is even in the distance
-/// from the load.
+/// Pressure displaces both surfaces in the same direction along x, in proportion to their weights; shear displaces them in
+/// opposite directions. The work of the shear on its own stretch vanishes in sum, because the displacement along x is even in the
+/// distance from the load, but it moves heat from the front of a contact to its rear.
 void SlidingInterface::find_displacements(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -160,8 +164,16 @@ void SlidingInterface::find_displacements(const Bodies& bodies)
   std::vector<double> upper(bodies.upper_x.begin(), bodies.upper_x.end());
   add(lower_weight_, unit_displacement, lower);
   add(upper_weight_, unit_displacement, upper);
-  add(1.0, lower, state_.slip);
-  add(-1.0, upper, state_.slip);
+  std::vector<double> lower_by_shear = state_.slip;
+  if (lower_alone_)
+    lower_alone_->apply({.shear_x = state_.shear}, {.x = lower_by_shear});
+  else
+    std::for_each(lower_by_shear.begin(), lower_by_shear.end(), [this](double& u) { u *= lower_share_; });
+  add(1.0, lower_by_shear, lower);
+  add(1.0, lower_by_shear, upper);
+  add(-1.0, state_.slip, upper);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    state_.slip[i] = lower[i] - upper[i];
   state_.lower_stretch = stretch(grid, state_.shear, lower);
   state_.upper_stretch = stretch(grid, state_.shear, upper);
 }

@@ -51,10 +51,10 @@ struct UniformDisc
   [[nodiscard]] double size() const { return radius; }
 };
 
-/// flux sqrt(1 - x^2/a^2 - y^2/b^2).
+/// flux sqrt(1 - x^2/a^2 - y^2/b^2) (1 - tilt x/a).
 struct HertzianFlux
 {
-  double a, b, flux;
+  double a, b, flux, tilt = 0.0;
   [[nodiscard]] double along_ray(double x, double angle, double decay) const
   {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -70,8 +70,8 @@ struct HertzianFlux
       for (std::size_t n = 0; n < w.point.size(); ++n)
       {
         const double r = end * (1.0 - w.point[n] * w.point[n]);
-        sum += w.weight[n] * 2.0 * end * w.point[n] * w.point[n] * std::sqrt(square * end * (r - begin)) *
-               std::exp(-decay * r);
+        const double pressure = std::sqrt(square * end * (r - begin)) * w.point[n];
+        sum += w.weight[n] * 2.0 * end * w.point[n] * pressure * (1.0 - tilt * (x + r * c) / a) * std::exp(-decay * r);
       }
       if (next >= end)
         break;

@@ -249,7 +249,8 @@ TEST(FlashTemperature, MovingStrip)
 }
 
 /// The case of cases/flash-temperature, at other speeds. An incompressible surface is not stretched by pressure, and shear does not
-/// move its gap: the slip is that of undeformed surfaces, and the pressure that of Hertz.
+/// move its gap: the pressure is that of Hertz. The shear stretches the surface, which slips less at the front of the contact than at
+/// its rear, by the slope of u_x = -pi q (4 - 3 nu) x^2/(32 G a) + ... (Johnson 1985, Eq. 3.91a).
 TEST(FlashTemperature, MovingContactOfHertz)
 {
   constexpr double load = 20.0, kappa = 50.0 / (7800.0 * 470.0), nu = 0.4999;
@@ -257,7 +258,9 @@ TEST(FlashTemperature, MovingContactOfHertz)
   for (const double peclet : {0.1, 1.0, 10.0, 100.0})
   {
     const double speed = 2.0 * kappa * peclet / radius;
-    const test::HertzianFlux source{radius, radius, 0.1 * 1.5 * load / (pi * radius * radius) * speed};
+    const double shear = 0.1 * 1.5 * load / (pi * radius * radius);
+    const double tilt = pi * shear * (4.0 - 3.0 * nu) / (16.0 * 200e9 / (2.0 * (1.0 + nu)));
+    const test::HertzianFlux source{radius, radius, shear * speed, tilt};
     const auto computed = [&](double cells)
     {
       const io::Case c =
