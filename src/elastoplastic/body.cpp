@@ -137,6 +137,8 @@ void Body::begin(int shift, double stiffness_share)
   layers_ = grid().nz;
   windowed_ = was_windowed_ = wants_all_cells_ = false;
   reference_ = Known::state;
+  if (window_)
+    window_->begin_increment();
   shift_ = shift;
   // In the frame of the contact q changes little from step to step: the guess moves along with the contact.
   collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);

@@ -3,23 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace brinell::elastoplastic
 {
 
 namespace
 {
-
-constexpr int margin = 2; ///< columns on either side of the needed ones
-/// Number of requests for a length before its operators are made. Making them costs about as much as twenty evaluations of all
-/// cells.
-constexpr double min_requests = 60.0;
-
-/// Columns of a window: an even number, so that its transforms have a Nyquist wave like those of the body.
-int length_for(double share, int columns)
-{
-  return 2 * static_cast<int>(std::floor(0.5 * share * columns));
-}
 
 std::array<std::span<const double>, 3> parts_of(const halfspace::SurfaceLoad& load)
 {
@@ -41,23 +31,51 @@ void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
 }
 
 Window::Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry)
-    : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), parts_(window_shares.size()),
-      requests_(window_shares.size(), 0.0)
+    : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), requests_(window_shares.size(), 0.0)
 {
+}
+
+int length_of_window(std::size_t index, int columns)
+{
+  return 2 * static_cast<int>(std::floor(0.5 * window_shares[index] * columns));
+}
+
+std::optional<std::size_t> window_for(int needed, int columns)
+{
+  constexpr int margin = 2; // columns on either side of the needed ones
+  for (std::size_t index = 0; index < window_shares.size(); ++index)
+    if (length_of_window(index, columns) >= needed + 2 * margin)
+      return index;
+  return {};
+}
+
+void Window::begin_increment()
+{
+  has_requested_.fill(false);
+}
+
+/// Counts the request of the present increment for a length.
+/// @returns the index of the longest length that enough increments have requested
+std::optional<std::size_t> Window::length_after_request(std::size_t index)
+{
+  if (!std::exchange(has_requested_[index], true))
+    ++requests_[index];
+  for (std::size_t longer = window_shares.size(); longer-- > 0;)
+    if (requests_[longer] > requests_without_window)
+      return longer;
+  return {};
 }
 
 bool Window::place(const Columns& needed, const Reference& reference)
 {
   const int all = body_.surface.nx;
-  if (body_.surface.is_periodic_x())
+  const auto wanted = body_.surface.is_periodic_x() ? std::nullopt : window_for(needed.count, all);
+  if (!wanted)
     return false;
-  std::size_t length = 0;
-  while (length < window_shares.size() && length_for(window_shares[length], all) < needed.count + 2 * margin)
-    ++length;
-  if (length == window_shares.size() || ++requests_[length] <= min_requests)
+  const auto length = length_after_request(*wanted);
+  if (!length || *length < *wanted)
     return false;
-  const int count = length_for(window_shares[length], all);
-  length_ = length;
+  const int count = length_of_window(*length, all);
   columns_ = {std::clamp(needed.first - (count - needed.count) / 2, 0, all - count), count};
   cells_.surface.nx = count;
   set_reference(reference);
@@ -141,14 +159,15 @@ bool Window::holds(const halfspace::SurfaceLoad& load) const
 
 Window::Part& Window::operators()
 {
-  std::unique_ptr<Part>& part = parts_[length_];
-  if (!part)
+  if (!part_ || part_->half_space.grid().surface.nx != columns_.count)
   {
+    loaded_.reset();
+    part_.reset(); // before the longer one takes memory
     halfspace::HalfSpace half_space(cells_, elastic_, body_.surface);
     halfspace::HalfSpace::Work work = half_space.make_guest();
-    part = std::make_unique<Part>(Part{std::move(half_space), std::move(work)});
+    part_ = std::make_unique<Part>(Part{std::move(half_space), std::move(work)});
   }
-  return *part;
+  return *part_;
 }
 
 void Window::load(std::span<const double> strain, int layers, halfspace::Displacements displacements,

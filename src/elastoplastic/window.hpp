@@ -24,7 +24,16 @@ struct Columns
 
 /// Possible lengths of windows, relative to the body. Only few, because each needs operators of its own, and none so long that it
 /// would save little time.
-inline constexpr std::array<double, 2> window_shares{0.25, 0.375};
+inline constexpr std::array<double, 2> window_shares{0.375, 0.7};
+
+/// Number of increments that request a length in vain, before its operators are made. Making them costs about as much as twenty
+/// evaluations of the window, and while a contact grows, short windows are soon too short.
+inline constexpr double requests_without_window = 3.0;
+
+/// Columns of a window: an even number, so that its transforms have a Nyquist wave like those of the body.
+[[nodiscard]] int length_of_window(std::size_t index, int columns);
+/// Index of the shortest window that contains the needed columns and two more on either side; empty: none.
+[[nodiscard]] std::optional<std::size_t> window_for(int needed, int columns);
 
 /// A range of columns of a body in which strain and load change in an increment, computed like a half space of its own.
 ///
@@ -44,8 +53,10 @@ public:
     std::array<std::span<const double>, 3> displacement; ///< along z, x and y; empty parts are not needed
     const StoredLoad* load;
   };
-  /// Places the window around the needed columns and a margin, if the window is short enough to save time and has been requested
-  /// often enough to justify the cost of its operators.
+  /// To be called where an increment begins: it counts once for each length that it requests.
+  void begin_increment();
+  /// Places the window around the needed columns and a margin, if a possible length contains them and enough increments have
+  /// requested this length, or a longer one, to justify the cost of its operators.
   /// @returns whether it has been placed
   [[nodiscard]] bool place(const Columns& needed, const Reference& reference);
   [[nodiscard]] const Columns& columns() const { return columns_; }
@@ -65,7 +76,8 @@ public:
   void stress(const halfspace::SurfaceLoad& load, std::span<const double> thermal_stress, std::span<double> stress,
               halfspace::HalfSpace::Work& host);
 
-  /// Number of requests for each length. It decides when windows are used, and therefore is part of the state in checkpoints.
+  /// Number of increments that requested each length. It decides when windows are used, and therefore is part of the state in
+  /// checkpoints.
   [[nodiscard]] std::vector<double>& requests() { return requests_; }
 
 private:
@@ -75,6 +87,7 @@ private:
     halfspace::HalfSpace half_space;
     halfspace::HalfSpace::Work work;
   };
+  [[nodiscard]] std::optional<std::size_t> length_after_request(std::size_t index);
   [[nodiscard]] Part& operators();
   void set_reference(const Reference& reference);
   template <typename Use>
@@ -86,17 +99,17 @@ private:
   Elastic elastic_;
   Symmetry symmetry_;
   Columns columns_{0, 0};
-  VolumeGrid cells_;                                ///< grid of the window
-  int layers_ = 0;                                  ///< number of layers whose stress is computed
-  std::vector<std::unique_ptr<Part>> parts_;        ///< for each length, made when first used
-  std::vector<double> requests_;                    ///< see `requests`
-  std::vector<double> strain_, stress_;             ///< of the reference, within the window
-  std::array<std::vector<double>, 3> displacement_; ///< displacement of the reference, within the window
-  StoredLoad load_;                                 ///< of the reference
+  VolumeGrid cells_;                                       ///< grid of the window
+  int layers_ = 0;                                         ///< number of layers whose stress is computed
+  std::unique_ptr<Part> part_;                             ///< of the longest length so far, made when first used
+  std::vector<double> requests_;                           ///< see `requests`
+  std::array<bool, window_shares.size()> has_requested_{}; ///< by the present increment
+  std::vector<double> strain_, stress_;                    ///< of the reference, within the window
+  std::array<std::vector<double>, 3> displacement_;        ///< displacement of the reference, within the window
+  StoredLoad load_;                                        ///< of the reference
   std::vector<double> strain_change_, stress_change_;
   std::array<std::vector<double>, 3> displacement_change_; ///< change of the displacement
   StoredLoad load_change_;                                 ///< change of the load
-  std::size_t length_ = 0;                                 ///< index of the window's length among the possible lengths
   std::optional<halfspace::HalfSpace::Loaded> loaded_;
 };
 

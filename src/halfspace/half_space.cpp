@@ -74,9 +74,8 @@ void HalfSpace::exchange_buffers(Work& guest, Work& host)
 
 HalfSpace::Work HalfSpace::make_guest() const
 {
-  Work work = make_work();
-  for (const auto spectra : Work::Buffers::lent())
-    (*work.buffers_).*spectra = {};
+  Work work;
+  work.buffers_ = operators_->make_buffers_of_guest();
   return work;
 }
 

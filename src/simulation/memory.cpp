@@ -7,6 +7,7 @@
 #include "halfspace/half_space_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brinell::simulation
 {
@@ -41,22 +42,23 @@ double body_bytes(const VolumeGrid& grid, const constitutive::Material& material
   return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
-/// Windows of a body much longer than the contact: operators of two lengths, and strain and stress of the longer one with their
-/// changes.
-double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material, int shears)
+/// The longest window of a body: its operators, and strain and stress in it with their changes. Its length follows from an
+/// estimate: contact and flow of a step reach over about two thirds of the grid of the contact (measured).
+double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material,
+                    const elastoplastic::Settings& solver, int shears)
 {
-  constexpr int few_steps = 100; // with fewer steps a window is hardly requested often enough to be used
-  if (!material.is_plastic() || grid.surface.is_periodic_x() || 2 * plan.contact.nx > grid.surface.nx ||
-      plan.steps < few_steps)
+  constexpr double of_contact = 0.65;
+  constexpr int elastic_steps = 2; // the steps before the first flow request no window
+  const bool is_used = solver.shortcuts && solver.windows && material.is_plastic() && !grid.surface.is_periodic_x() &&
+                       plan.steps > elastic_steps + static_cast<int>(elastoplastic::requests_without_window);
+  const auto window =
+      elastoplastic::window_for(static_cast<int>(std::ceil(of_contact * plan.contact.nx)), grid.surface.nx);
+  if (!is_used || !window)
     return 0.0;
-  double bytes = 0.0;
   VolumeGrid part = grid;
-  for (const double share : elastoplastic::window_shares)
-  {
-    part.surface.nx = static_cast<int>(share * grid.surface.nx);
-    bytes += halfspace::memory_of_half_space(part, shears).operators;
-  }
-  return bytes + field_bytes(part, 20.0);
+  part.surface.nx = elastoplastic::length_of_window(*window, grid.surface.nx);
+  constexpr double fields = 20.0;
+  return halfspace::memory_of_half_space(part, shears).operators + field_bytes(part, fields);
 }
 
 /// Active cells in an increment, with the history of the acceleration. Their number is estimated: a plastic zone fills a smaller
@@ -183,7 +185,7 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
     bodies += body_bytes(*grid, *material, shears) +
               (heat ? heat_bytes(*grid, *material, solver, plan.symmetry, *heat) : 0.0);
     trials += trial_bytes(*grid, *material, solver, plan);
-    bodies += window_bytes(plan, *grid, *material, shears);
+    bodies += window_bytes(plan, *grid, *material, solver, shears);
     checkpoint += checkpoint_bytes(*grid, *material, shears);
   }
   constexpr double fragmentation = 1.05; // unused memory between the fields

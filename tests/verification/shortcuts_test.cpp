@@ -232,12 +232,44 @@ TEST(ShortCuts, Tugging)
   worst.tell("tugging");
 }
 
-/// Evaluations of a window alone. The balls roll far, so that their tracks are several times as long as the contact.
+/// Largest differences between runs with windows and runs that compute all columns in every evaluation.
+struct WorstOfWindows
+{
+  double strain = 0.0, force = 0.0; ///< relative
+
+  template <typename Case>
+  void compare(Case c)
+  {
+    c.solver.yield_tolerance = 1e-5;
+    c.solver.displacement_tolerance = 1e-6;
+    Outcome with, without;
+    for (Outcome* o : {&with, &without})
+    {
+      c.solver.windows = o == &with;
+      take(computed(c), *o);
+    }
+    const double yield_strain = yield_stress / elastic.young_modulus;
+    EXPECT_NE(with.dissipation, without.dissipation) << "no window has been used";
+    strain = std::max(strain, std::abs(with.plastic_strain - without.plastic_strain) /
+                                  std::max(without.plastic_strain, 0.1 * yield_strain));
+    force = std::max(force, std::abs(with.force / without.force - 1.0));
+  }
+
+  void tell(const std::string& what) const
+  {
+    test::expect_within(what + " in windows, largest difference of the plastic strain", strain, 0.0, 1e-3,
+                        "all columns in every evaluation");
+    test::expect_within(what + " in windows, largest difference of a force", force, 0.0, 1e-3,
+                        "all columns in every evaluation");
+  }
+};
+
+/// The balls roll far, so that their tracks are several times as long as the contact.
 TEST(ShortCuts, Windows)
 {
   std::mt19937_64 engine(20063);
   const auto between = [&](double a, double b) { return test::uniform(engine, a, b); };
-  double worst_strain = 0.0, worst_force = 0.0;
+  WorstOfWindows worst;
   const int count = slow_build ? 1 : 5;
   for (int number = 0; number < count; ++number)
   {
@@ -254,26 +286,28 @@ TEST(ShortCuts, Windows)
     c.load_steps = 3;
     c.resolution = between(4.0, 5.0);
     c.solver.symmetry = number % 3 != 1;
-    c.solver.yield_tolerance = 1e-5;
-    c.solver.displacement_tolerance = 1e-6;
-    Outcome with, without;
-    for (Outcome* o : {&with, &without})
-    {
-      c.solver.windows = o == &with;
-      take(computed(c), *o);
-    }
-    const double yield_strain = yield_stress / elastic.young_modulus;
-    const double strain =
-        std::abs(with.plastic_strain - without.plastic_strain) / std::max(without.plastic_strain, 0.1 * yield_strain);
-    const double force = std::abs(with.force / without.force - 1.0);
-    EXPECT_NE(with.dissipation, without.dissipation) << "no window has been used";
-    worst_strain = std::max(worst_strain, strain);
-    worst_force = std::max(worst_force, force);
+    worst.compare(c);
   }
-  test::expect_within("rolling in windows, largest difference of the plastic strain", worst_strain, 0.0, 1e-3,
-                      "all columns in every evaluation");
-  test::expect_within("rolling in windows, largest difference of a force", worst_force, 0.0, 1e-3,
-                      "all columns in every evaluation");
+  worst.tell("rolling");
+}
+
+/// The contact grows until the windows are the longest ones, and shrinks again.
+TEST(ShortCuts, WindowsOfTugging)
+{
+  WorstOfWindows worst;
+  int number = 0;
+  for (const double load : {2.0, 4.0, 6.0, 9.0})
+  {
+    if (slow_build && load > 2.0)
+      continue;
+    SCOPED_TRACE(load);
+    simulation::TuggingCase t = equal_spheres(load, material(static_cast<Law>(number % 3), Profile::none));
+    t.upper.material.hardening = number % 2 == 0 ? t.lower.material.hardening : elastic_material().hardening;
+    t.resolution = 6.0;
+    ++number;
+    worst.compare(t);
+  }
+  worst.tell("tugging");
 }
 
 /// Those of heat: images on coarse cells, shares that are rough until an increment is nearly solved, heat that follows a turn

@@ -25,7 +25,7 @@ struct Settings
   /// the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
   /// in every evaluation, every cell active.
   bool shortcuts = true;
-  /// With short cuts, on a body much longer than the contact: until the increment is nearly solved, compute only the columns of
+  /// With short cuts, on a body longer than what an increment changes: until the increment is nearly solved, compute only the columns of
   /// the active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
   bool windows = true;
 };

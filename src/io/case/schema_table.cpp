@@ -138,10 +138,11 @@ std::vector<Entry> solver_entries()
             "Within an increment compute the stress only in the layers near yield; the last evaluation computes all "
             "layers, so that no yield is missed. false: all layers and all cells in every evaluation, and heat without "
             "approximations (a check; the results agree within the tolerances)."),
-      entry("windows", &Settings::windows, {},
-            "If `shortcuts` is true and a body is much longer than the contact, compute the stress within an increment "
-            "only in a window of columns around yielding cells and pressure; the last evaluation computes the whole "
-            "body. false: no window (a check; the results agree within the tolerances)."),
+      entry(
+          "windows", &Settings::windows, {},
+          "If `shortcuts` is true and a body is longer than what an increment changes, compute the stress within an "
+          "increment only in a window of columns around yielding cells and pressure; the last evaluation computes the "
+          "whole body. false: no window (a check; the results agree within the tolerances)."),
       bound({.key = "solver.accuracy",
              .of = kind::share.up_to(0.0, 0.5),
              .unset = "one run, with the cells as given",
