@@ -136,7 +136,7 @@ void Body::begin(int shift, double stiffness_share)
   active_.clear();
   layers_ = grid().nz;
   windowed_ = was_windowed_ = wants_all_cells_ = false;
-  reference_ = Known::state;
+  may_use_window_ = true;
   if (window_)
     window_->begin_increment();
   shift_ = shift;

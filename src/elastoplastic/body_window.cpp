@@ -47,22 +47,22 @@ Columns Body::affected_columns(const std::array<std::vector<double>, 3>& load, i
   return {extent.first, extent.last + 1 - extent.first};
 }
 
-/// Places the window of the next evaluation. To be called while the plastic strain is still that of the previous evaluation.
+/// Places the window of the next evaluation, around what changes since the state before the increment. To be called while the
+/// plastic strain is still that of the state. An increment has one window: where a closing evaluation does not end it, its rest
+/// is as small as the error of a window.
 void Body::choose_window()
 {
   const bool is_whole = std::exchange(wants_all_cells_, false);
-  if (!window_ || is_whole || windowed_ || reference_ == Known::nothing || active_.empty())
+  if (!window_ || is_whole || windowed_ || !may_use_window_ || active_.empty())
     return;
-  const bool is_state = reference_ == Known::state;
-  const auto& load = is_state ? committed_load_ : load_;
   windowed_ = window_->place(
-      affected_columns(load, is_state ? shift_ : 0),
+      affected_columns(committed_load_, shift_),
       {.strain = state_.plastic_strain,
-       .stress = is_state ? state_.stress : stress_,
-       .thermal_stress = is_state ? state_.thermal_stress : thermal_stress_,
+       .stress = state_.stress,
+       .thermal_stress = state_.thermal_stress,
        .displacement = {displacement_, displacement_y_.empty() ? std::span<const double>() : displacement_x_,
                         displacement_y_},
-       .load = &load});
+       .load = &committed_load_});
   if (windowed_)
     restrict_to_active_layers();
 }
@@ -116,9 +116,7 @@ void Body::find_stress(const halfspace::SurfaceLoad& load)
   const int rows = independent_rows(grid().surface, symmetry_);
   add_initial_stress(layers_, rows, stress_);
   add_thermal_stress(layers_, rows, stress_);
-  reference_ = layers_ == grid().nz ? Known::evaluation : Known::nothing;
-  if (window_ && reference_ == Known::evaluation)
-    copy_load(load, load_);
+  may_use_window_ = false;
 }
 
 /// Extends the computed layers after the active cells from `first` on have been added; leaves the window if they reach its end.

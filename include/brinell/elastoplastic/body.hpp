@@ -241,20 +241,12 @@ private:
   std::vector<double> displacement_, displacement_x_, displacement_y_;
   bool knows_displacement_x_ = false; ///< whether displacement_x_ is that of the present trial
 
-  /// Reference solution, known in all cells, from which an evaluation of a window computes differences.
-  enum class Known
-  {
-    nothing,
-    state,     ///< the state before the increment
-    evaluation ///< the last evaluation of all cells
-  };
   std::unique_ptr<Window> window_;                    ///< nullptr: none
   bool windowed_ = false;                             ///< the current evaluation is restricted to the window
   bool was_windowed_ = false;                         ///< the previous one was, in the present box of the window
   bool wants_all_cells_ = false;                      ///< the next evaluation is to compute all cells
-  Known reference_ = Known::nothing;                  ///< within an increment
+  bool may_use_window_ = false;                       ///< no evaluation of this increment has computed all cells
   int shift_ = 0;                                     ///< by which the contact moves in the increment [cells]
-  std::array<std::vector<double>, 3> load_;           ///< of the last evaluation of all cells; with a window
   std::array<std::vector<double>, 3> committed_load_; ///< of the state; with a window
 };
 
