@@ -41,13 +41,21 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZ
   return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
 }
 
-/// Work of a deviatoric stress on a strain, as a sum over cells [Pa]; times the cell volume it is an energy.
+/// Work of a deviatoric stress on a plastic strain of the present state or trial, as a sum over cells [Pa]; times the cell volume
+/// it is an energy.
 double Body::work_of(std::span<const double> stress_deviator, std::span<const double> strain) const
 {
+  if (stress_deviator.empty())
+    return 0.0;
   const std::size_t n = grid().size();
   double work = 0.0;
-  for (std::size_t cell = 0; cell < n && !stress_deviator.empty(); ++cell)
-    work += contract(deviator_at(stress_deviator, n, cell), deviator_at(strain, n, cell));
+  (in_increment_ ? zone_of_trial() : zone_)
+      .for_cells(0, n,
+                 [&](std::size_t from, std::size_t to)
+                 {
+                   for (std::size_t cell = from; cell < to; ++cell)
+                     work += contract(deviator_at(stress_deviator, n, cell), deviator_at(strain, n, cell));
+                 });
   return work;
 }
 
