@@ -48,8 +48,8 @@ const PartialSlip* CoupledContact::partial_slip() const
   return dynamic_cast<const PartialSlip*>(interface_.get());
 }
 
-/// Largest shear that each cell of the contact can carry at the start of an increment, for a direction of the shear on the lower
-/// body [Pa].
+/// Largest shear that each cell of the contact can carry with the hardening of the present trial, for a direction of the shear on
+/// the lower body [Pa].
 std::vector<double> CoupledContact::shear_limit(const Placement& placement,
                                                 const std::array<double, 2>& direction) const
 {
@@ -106,7 +106,8 @@ void CoupledContact::with_bodies(const Placement& placement, const Use& use) con
 void CoupledContact::begin_friction(const Placement& placement, const Strategy& strategy,
                                     const contact::TangentialDrive& along)
 {
-  std::vector<double> limit = shear_limit(placement, interface_->direction(along));
+  driven_along_ = interface_->direction(along);
+  std::vector<double> limit = shear_limit(placement, driven_along_);
   with_bodies(placement,
               [&](const Interface::Bodies& bodies)
               {
@@ -162,6 +163,8 @@ double CoupledContact::tolerance_of_gap() const
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
                                               const Strategy& strategy, bool closing, IncrementReport& report)
 {
+  if (!strategy.watch_energy && !strategy.keeps_shear_limit && !interface_->friction().shear_limit)
+    interface_->set_limit(shear_limit(placement, driven_along_));
   constexpr int max_turns = 60;
   const double tolerance = tolerance_of_gap();
   const bool exact = closing || !settings_.shortcuts;

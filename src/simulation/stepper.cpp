@@ -233,8 +233,11 @@ void Stepper::descend(const Target& target)
   const bool has_energy = pair_->has_energy(target.drive.kind);
   for (const double share : {1.0, 2.0, 4.0})
   {
-    report = solved(target, {Integration::backward_euler, patience * s.max_evaluations, 0, share, has_energy, true,
-                             target.slides, setup_.watch.wants_stop});
+    elastoplastic::Strategy strategy{
+        Integration::backward_euler, patience * s.max_evaluations, 0, share, has_energy, true, target.slides,
+        setup_.watch.wants_stop};
+    strategy.keeps_shear_limit = true;
+    report = solved(target, strategy);
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)

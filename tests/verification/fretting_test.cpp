@@ -250,7 +250,8 @@ TEST(Fretting, EnergyClosesInGrossSlip)
                      computed(c).summary.energy_balance_error, 0.0, 1e-3, "bound: the steps of pressing");
 }
 
-TEST(Fretting, EnergyClosesAtTheShearLimit)
+/// A hard ball on a flat whose shear strength much of the contact reaches.
+FrettingCase at_shear_limit(double amplitude)
 {
   FrettingCase c;
   const Elastic steel_like{210e9, 0.3};
@@ -258,8 +259,14 @@ TEST(Fretting, EnergyClosesAtTheShearLimit)
   c.upper = {ball(1e-3), {steel_like, {}}};
   c.press = load(20.0);
   c.friction.coefficient = 0.5;
-  c.amplitude = 3e-6;
+  c.amplitude = amplitude;
   c.resolution = slow_build ? 4.0 : 8.0;
+  return c;
+}
+
+TEST(Fretting, EnergyClosesAtTheShearLimit)
+{
+  FrettingCase c = at_shear_limit(3e-6);
   for (const int steps : {16, 40})
   {
     c.steps_per_cycle = steps;
@@ -270,10 +277,32 @@ TEST(Fretting, EnergyClosesAtTheShearLimit)
   }
 }
 
+TEST(Fretting, StepsConvergeToSecondOrderAtTheShearLimit)
+{
+  // The limit is the strength of the surface at the end of each step, so that it does not lag.
+  std::vector<double> heat, plastic;
+  for (const int steps : {8, 16, 32, 64})
+  {
+    FrettingCase c = at_shear_limit(0.8e-6);
+    c.cycles = 1;
+    c.steps_per_cycle = steps;
+    const FrettingRun run = computed(c);
+    EXPECT_GT(run.summary.max_share_at_shear_limit, 0.5);
+    EXPECT_EQ(run.summary.split_increments, 0);
+    heat.push_back(run.summary.cycles[0].dissipation_friction);
+    plastic.push_back(run.summary.cycles[0].dissipation_plastic);
+  }
+  const auto differences = [](const std::vector<double>& of) {
+    return std::vector<double>{of[0] - of[1], of[1] - of[2], of[2] - of[3]};
+  };
+  EXPECT_GT(test::Orders("fretting at the shear limit: heat, steps halved", differences(heat)).overall, 1.6);
+  EXPECT_GT(test::Orders("fretting at the shear limit: plastic work, steps halved", differences(plastic)).overall, 1.6);
+}
+
 TEST(Fretting, StepsConverge)
 {
-  // Differences between steps and steps half as long. Heat and plastic work are of first order: the limit of the shear lags by a step,
-  // and cells at the rims stick, slip and part as a whole, so that the differences jump. The work contains the heat.
+  // Differences between steps and steps half as long. Cells at the rims stick, slip and part as a whole, so that the differences jump:
+  // of first order. The work contains the heat.
   std::vector<double> heat, plastic, area;
   for (const int factor : {1, 2, 4, 8})
   {

@@ -68,6 +68,10 @@ public:
   }
   /// Trial back stresses of a cell, one per term [Pa].
   [[nodiscard]] std::span<Deviator> backstress(std::size_t a) { return {backstress_.data() + a * terms_, terms_}; }
+  [[nodiscard]] std::span<const Deviator> backstress(std::size_t a) const
+  {
+    return {backstress_.data() + a * terms_, terms_};
+  }
 
 private:
   [[nodiscard]] static Deviator at(const std::vector<double>& packed, std::size_t a)

@@ -149,8 +149,8 @@ public:
   [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
   /// Likewise along y; empty unless all displacements are computed.
   [[nodiscard]] std::span<const double> residual_displacement_y() const { return displacement_y_; }
-  /// Shear that each cell of the surface can carry along a unit vector, before the increment [Pa]; infinite if the body does not
-  /// yield. For a zero vector: the shear that the cell can carry in every direction.
+  /// Shear that each cell of the surface can carry along a unit vector, with the hardening of the present trial [Pa]; infinite if
+  /// the body does not yield. For a zero vector: the shear that the cell can carry in every direction.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
   /// Total stress in all layers [Pa], from a load, the plastic strain and the initial stress before the first load: deviator, 5
   /// values per cell, and trace. The body must not be rigid.

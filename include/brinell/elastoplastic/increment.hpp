@@ -84,8 +84,11 @@ struct Strategy
   /// Whether the surfaces slide on each other in this increment; if false there is no friction.
   bool slides = true;
   std::function<bool()> wants_stop{}; ///< asked before each evaluation and while the contact is solved
-  double duration = 0.0;              ///< of the increment [s]; 0: no heat is generated or conducted
-  double slid = 0.0;                  ///< sliding distance of the undeformed surfaces in the increment [m], >= 0
+  /// Keep the largest shear that the surfaces can carry as it was before the increment, an error of first order in its length, so
+  /// that hardening and shear do not raise each other. Implied by `watch_energy`.
+  bool keeps_shear_limit = false;
+  double duration = 0.0; ///< of the increment [s]; 0: no heat is generated or conducted
+  double slid = 0.0;     ///< sliding distance of the undeformed surfaces in the increment [m], >= 0
   bool is_put_down =
       false;            ///< the contact was put down at its place without moving over the bodies: no heat on the way
   bool returns = false; ///< includes the way back of the contact to its start: no heat from a HeatSource
@@ -271,6 +274,7 @@ private:
   std::unique_ptr<Heating> heating_;     ///< none without heat
   std::unique_ptr<Wear> wear_;           ///< none without wear
   double slid_ = 0.0;                    ///< Strategy::slid of the current increment [m]
+  std::array<double, 2> driven_along_{}; ///< Interface::direction of the current increment
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

@@ -54,11 +54,11 @@ public:
   {
     bool slides = true;             ///< if false, surfaces that slide everywhere bear no shear
     contact::TangentialDrive along; ///< see CoupledContact::advance
-    std::vector<double> limit;      ///< largest shear that the surfaces can carry in each cell [Pa]
-    Bodies bodies;                  ///< before the increment
-    bool holds_law = false;         ///< see `renew`
-    double tolerance = 0.0;         ///< of displacements [m]
-    double approach = 0.0;          ///< largest approach of the bodies in the run [m]
+    std::vector<double> limit; ///< largest shear that the surfaces can carry in each cell before the increment [Pa]
+    Bodies bodies;             ///< before the increment
+    bool holds_law = false;    ///< see `renew`
+    double tolerance = 0.0;    ///< of displacements [m]
+    double approach = 0.0;     ///< largest approach of the bodies in the run [m]
     std::function<bool()> wants_stop{};
   };
   /// Largest changes made by an update.
@@ -73,6 +73,8 @@ public:
   /// Unit vector along which an increment drives the surface of the lower body; zero: no direction.
   [[nodiscard]] virtual std::array<double, 2> direction(const contact::TangentialDrive& along) const = 0;
   virtual void begin(Start start) = 0;
+  /// Replaces the largest shear that the surfaces can carry in each cell [Pa]: within an increment it follows their hardening.
+  virtual void set_limit(std::vector<double> limit) = 0;
   /// Whether `follow` needs the residual displacements.
   [[nodiscard]] virtual bool follows_displacement() const = 0;
   /// Computes the shear for a pressure and residual displacements, and the displacement that it adds to the gap.

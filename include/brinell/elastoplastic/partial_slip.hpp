@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -25,6 +26,7 @@ public:
 
   [[nodiscard]] std::array<double, 2> direction(const contact::TangentialDrive& along) const override;
   void begin(Start start) override;
+  void set_limit(std::vector<double> limit) override { start_.limit = std::move(limit); }
   [[nodiscard]] bool follows_displacement() const override { return true; }
   Change follow(const Bodies& bodies) override;
   Change renew(const Bodies& bodies) override;

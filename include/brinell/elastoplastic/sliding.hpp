@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -23,6 +24,7 @@ public:
 
   [[nodiscard]] std::array<double, 2> direction(const contact::TangentialDrive& along) const override;
   void begin(Start start) override;
+  void set_limit(std::vector<double> limit) override { limit_ = std::move(limit); }
   [[nodiscard]] bool follows_displacement() const override { return false; }
   Change follow(const Bodies& bodies) override;
   Change renew(const Bodies& bodies) override;

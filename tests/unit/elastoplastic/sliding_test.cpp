@@ -121,7 +121,7 @@ TEST(SlidingTest, ConvergedStateIsAdmissible)
 TEST(SlidingTest, GuardedAndAcceleratedIterationMeet)
 {
   // The guarded one holds the shear, descends to the minimum of the convex problem, and takes the shear that belongs to the
-  // pressure then, until it no longer changes. Tolerances as in DescentTest.
+  // pressure then, until it no longer changes. Both keep the shear limit of before the increment. Tolerances as in DescentTest.
   PressOptions options = sliding(0.25);
   options.hardening_modulus = 20e9;
   options.upper_stiffness = 3.0;
@@ -132,7 +132,11 @@ TEST(SlidingTest, GuardedAndAcceleratedIterationMeet)
   descent.anderson_depth = 0;
   descent.stiffness_share = 1.0;
   descent.watch_energy = true;
-  ASSERT_TRUE(accelerated.press(3.0, Integration::backward_euler).converged);
+  Strategy fast;
+  fast.integration = Integration::backward_euler;
+  fast.max_evaluations = options.settings.max_evaluations;
+  fast.keeps_shear_limit = true;
+  ASSERT_TRUE(accelerated.press(3.0, fast).converged);
   const IncrementReport report = guarded.press(3.0, descent);
   ASSERT_FALSE(report.energy_rose);
   ASSERT_TRUE(report.converged);
@@ -184,9 +188,21 @@ TEST(SlidingTest, FailedIncrementLeavesNothingBehind)
   EXPECT_EQ(press.contact().sliding()->force(), 0.0);
 }
 
+/// Expects friction times pressure, or the shear strength of the softer surface where it is smaller.
+void expect_shear_at_limit(const SpherePress& press, const PressOptions& options)
+{
+  const std::vector<double> shear = shear_of(press), pressure = copy(press.contact().pressure());
+  const std::vector<double> lower = press.contact().lower().shear_strength(1.0);
+  const std::vector<double> upper = press.contact().upper().shear_strength(-1.0);
+  EXPECT_GT(press.contact().sliding()->limited_share(), 0.3);
+  for (std::size_t i = 0; i < shear.size(); ++i)
+    EXPECT_NEAR(shear[i], std::min({options.friction.coefficient * pressure[i], lower[i], upper[i]}), 1e-6); // Pa
+}
+
 TEST(SlidingTest, SurfaceCarriesNoMoreThanItsLimit)
 {
-  // As given; or the shear yield stress of the softer surface, hardening included: S_y/sqrt(3) before anything has flowed.
+  // As given; or the shear yield stress of the softer surface, with the hardening of the same increment. Where the shear is at
+  // this limit, it is the strength that the softer of both surfaces has at the end.
   PressOptions options;
   options.friction.coefficient = 0.5;
   options.friction.shear_limit = 0.2e9;
@@ -200,13 +216,28 @@ TEST(SlidingTest, SurfaceCarriesNoMoreThanItsLimit)
   options.hardening_modulus = 20e9;
   SpherePress own(options);
   ASSERT_TRUE(own.press(4.0).converged);
-  EXPECT_NEAR(highest(own), SpherePress::yield_stress / std::sqrt(3.0), 1.0); // Pa
-  const std::vector<double> strength = own.contact().lower().shear_strength(1.0);
-  ASSERT_TRUE(own.press(4.0, Integration::path, 0).converged);
-  const std::vector<double> shear = shear_of(own);
-  for (std::size_t i = 0; i < shear.size(); ++i)
-    EXPECT_LE(shear[i], strength[i] * (1.0 + 1e-12));
   EXPECT_GT(highest(own), 1.0001 * SpherePress::yield_stress / std::sqrt(3.0)); // it has hardened
+  expect_shear_at_limit(own, options);
+
+  // A back stress along the shear counts as hardening does.
+  options.hardening_modulus = 0.0;
+  options.kinematic = {{20e9, 5.0}};
+  SpherePress kinematic(options);
+  ASSERT_TRUE(kinematic.press(4.0).converged);
+  EXPECT_GT(highest(kinematic), 1.0001 * SpherePress::yield_stress / std::sqrt(3.0));
+  expect_shear_at_limit(kinematic, options);
+}
+
+TEST(SlidingTest, TheLimitMayBeThatOfBeforeTheIncrement)
+{
+  PressOptions options = sliding(0.5);
+  options.hardening_modulus = 20e9;
+  SpherePress press(options);
+  Strategy strategy;
+  strategy.max_evaluations = 240;
+  strategy.keeps_shear_limit = true;
+  ASSERT_TRUE(press.press(4.0, strategy).converged);
+  EXPECT_NEAR(largest(shear_of(press)), SpherePress::yield_stress / std::sqrt(3.0), 1.0); // Pa
 }
 
 TEST(SlidingTest, WorkOfTheShearIsStoredOrDissipated)

@@ -18,9 +18,10 @@ struct PressOptions
   int spare_columns = 0; ///< of the material grids, beyond those of the contact
   bool lower_plastic = true, upper_plastic = true;
   double hardening_modulus = 0.0; ///< [Pa]
-  Friction friction{};            ///< the upper sphere slides towards +x
-  bool sticks = false;            ///< where friction can hold it
-  double upper_stiffness = 1.0;   ///< Young's modulus of the upper sphere over that of the lower one
+  std::vector<constitutive::KinematicTerm> kinematic{};
+  Friction friction{};          ///< the upper sphere slides towards +x
+  bool sticks = false;          ///< where friction can hold it
+  double upper_stiffness = 1.0; ///< Young's modulus of the upper sphere over that of the lower one
 };
 
 /// Two spheres of radius 1 m pressed together on 13 x 13 cells, 12 layers: about 5 cells to the contact radius at six
@@ -100,6 +101,8 @@ public:
   {
     const double area = options_.unit * options_.unit;
     constitutive::Material m{{200e9 * area * stiffness, 0.32}, {}};
+    if (plastic)
+      m.kinematic = options_.kinematic;
     if (plastic && options_.hardening_modulus > 0.0)
       m.hardening = constitutive::LinearHardening{yield_stress * area, options_.hardening_modulus * area};
     else if (plastic)
