@@ -62,9 +62,11 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
   if (!friction.coupling)
     lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
-  if (lower == upper || lower.is_rigid() || upper.is_rigid())
-    lower_share_ = lower == upper ? 0.5 : (lower.is_rigid() ? 0.0 : 1.0);
-  else
+  if (lower == upper)
+    lower_share_ = 0.5;
+  else if (upper.is_rigid())
+    lower_share_ = 1.0;
+  else if (!lower.is_rigid())
     lower_alone_.emplace(grid, lower, rigid_body, reference);
   for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch,
                                      &state_.upper_stretch, &work_per_area_, &shear_at_start_})

@@ -59,7 +59,7 @@ HalfSpace::Work& HalfSpace::Work::operator=(Work&&) noexcept = default;
 HalfSpace::Work HalfSpace::make_work() const
 {
   Work work;
-  work.buffers_ = operators_->make_buffers();
+  work.buffers_ = operators_->make_buffers(false);
   return work;
 }
 
@@ -75,7 +75,7 @@ void HalfSpace::exchange_buffers(Work& guest, Work& host)
 HalfSpace::Work HalfSpace::make_guest() const
 {
   Work work;
-  work.buffers_ = operators_->make_buffers_of_guest();
+  work.buffers_ = operators_->make_buffers(true);
   return work;
 }
 

@@ -54,19 +54,7 @@ OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTract
   return result;
 }
 
-std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers() const
-{
-  auto work = make_buffers_of_guest();
-  const auto at_a_time = static_cast<std::size_t>(work->blocks_at_a_time);
-  const auto blocks = static_cast<std::size_t>(volume_fft.blocks());
-  work->strain.resize(at_a_time * volume_fft.block_size());
-  work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
-  work->displacement_parts.resize(at_a_time * static_cast<std::size_t>(parts_for(grid.nz) * surface_fft.pitch()) *
-                                  tractions.size());
-  return work;
-}
-
-std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers_of_guest() const
+std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers(bool of_guest) const
 {
   const auto blocks = static_cast<std::size_t>(volume_fft.blocks());
   auto work = std::make_unique<Work::Buffers>();
@@ -74,6 +62,14 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers_of_
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
   work->blocks_at_a_time = blocks_at_a_time(volume_fft.blocks(), static_cast<int>(work->threads.size()));
+  if (!of_guest)
+  {
+    const auto at_a_time = static_cast<std::size_t>(work->blocks_at_a_time);
+    work->strain.resize(at_a_time * volume_fft.block_size());
+    work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
+    work->displacement_parts.resize(at_a_time * static_cast<std::size_t>(parts_for(grid.nz) * surface_fft.pitch()) *
+                                    tractions.size());
+  }
   work->displacement_rows.front().resize(surface_fft.rows_size());
   work->surface.front().resize(surface_fft.block_size() * blocks);
   work->used.resize(static_cast<std::size_t>(Deviator::size * grid.nz));

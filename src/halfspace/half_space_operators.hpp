@@ -81,9 +81,8 @@ struct HalfSpace::Operators
   /// @param shortest  see EigenstrainStress
   Operators(const VolumeGrid& volume, const Elastic& constants, double shortest);
 
-  [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers() const;
-  /// The same without the buffers that a guest borrows.
-  [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers_of_guest() const;
+  /// @param of_guest  leave out the buffers that a guest borrows
+  [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers(bool of_guest) const;
   /// Kernels of the `wanted` components of the traction, nullptr for the others. Those of a shear are tabulated when they are
   /// first needed.
   [[nodiscard]] OfTraction<const TractionStress*> kernels_of(const OfTraction<bool>& wanted) const;
