@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <variant>
 #include <vector>
@@ -63,13 +64,7 @@ struct Rises
   }
 
 private:
-  static double sum(const std::vector<double>& field)
-  {
-    double all = 0.0;
-    for (const double value : field)
-      all += value;
-    return all;
-  }
+  static double sum(const std::vector<double>& field) { return std::accumulate(field.begin(), field.end(), 0.0); }
 };
 
 /// Both surfaces after so many steps.
