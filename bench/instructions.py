@@ -18,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 RECORD = Path(__file__).with_suffix(".toml")
@@ -32,6 +33,7 @@ RUNS = {
     "indentation": ("indentation-sphere/case.toml", ["grid.resolution=6"]),
     "rough contact": ("rough-periodic/case.toml", ["indentation.steps=6"]),
     "fretting": ("fretting-sphere/case.toml", ["grid.resolution=6"]),
+    "heat": ("tugging-heat/case.toml", ["grid.resolution=6"]),
 }
 
 PROGRAM = """
@@ -58,6 +60,17 @@ def instructions(python: str, *arguments: str) -> int:
     return int(found.group(1).replace(",", ""))
 
 
+def count_all(python: str) -> dict[str, float]:
+    """Millions of instructions by run, as many runs at once as there are processors: counts do not depend on that."""
+    with ThreadPoolExecutor(os.cpu_count()) as processes:
+        nothing = processes.submit(instructions, python)
+        runs = {
+            name: processes.submit(instructions, python, str(CASES / case), *settings)
+            for name, (case, settings) in RUNS.items()
+        }
+        return {name: (run.result() - nothing.result()) / 1e6 for name, run in runs.items()}
+
+
 def compiler(python: str) -> str:
     """Which has made the wheel, as it says in its library."""
     text = "from brinell import _core; print(_core.__file__)"
@@ -77,11 +90,7 @@ def main() -> int:
     python = os.path.abspath(options.python)
     before = tomllib.loads(RECORD.read_text()) if RECORD.exists() else {"compiler": "", "runs": {}}
     made_by = compiler(python)
-    nothing = instructions(python)
-    counted = {
-        name: (instructions(python, str(CASES / case), *settings) - nothing) / 1e6
-        for name, (case, settings) in RUNS.items()
-    }
+    counted = count_all(python)
     grown = []
     for name, count in counted.items():
         known = before["runs"].get(name)
