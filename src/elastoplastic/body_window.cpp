@@ -135,4 +135,9 @@ Columns Body::searched_columns() const
   return windowed_ ? window_->columns() : Columns{0, grid().surface.nx};
 }
 
+double Body::cost() const
+{
+  return is_plastic() ? static_cast<double>(layers_) * searched_columns().count * grid().surface.ny : 0.0;
+}
+
 } // namespace brinell::elastoplastic

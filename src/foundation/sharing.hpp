@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <numeric>
 #include <omp.h>
 #include <span>
@@ -28,6 +30,27 @@ void in_threads(int threads, const Work& work)
     return work(0);
 #pragma omp parallel num_threads(threads)
   work(omp_get_thread_num());
+}
+
+/// Calls work(0) and work(1), one thread each, which neither wait for each other nor share data; what `work` itself shares among
+/// threads is then done by one. If both throw, the exception of work(0) is passed on.
+template <typename Work>
+void side_by_side(const Work& work)
+{
+  std::array<std::exception_ptr, 2> failures;
+#pragma omp parallel for num_threads(2) schedule(static, 1)
+  for (std::size_t i = 0; i < failures.size(); ++i)
+    try
+    {
+      work(i);
+    }
+    catch (...)
+    {
+      failures[i] = std::current_exception();
+    }
+  for (const std::exception_ptr& failure : failures)
+    if (failure)
+      std::rethrow_exception(failure);
 }
 
 /// Cells of one piece of work. The size does not depend on the number of threads, and so neither does any sum over pieces.

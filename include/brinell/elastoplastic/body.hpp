@@ -103,6 +103,8 @@ public:
   /// Makes the next evaluation compute the stress in all cells; without windows all later evaluations do so too, until new cells
   /// become active. An increment may only be committed after an evaluation of all cells that found no new active cell.
   void compute_all_layers();
+  /// Number of cells whose stress the last evaluation computed, a measure of the time that it took.
+  [[nodiscard]] double cost() const;
   /// Valid after `integrate`: whether the current evaluation computes the stress in all cells.
   [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz && !windowed_; }
   /// Undoes all changes of an increment that was not committed; does nothing after a commit.

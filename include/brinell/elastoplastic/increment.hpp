@@ -227,6 +227,8 @@ private:
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
+  template <typename Work>
+  void on_sides(const Work& work);
   [[nodiscard]] double integrate(Integration integration);
   [[nodiscard]] bool update(IncrementReport& report);
   [[nodiscard]] bool is_within(double factor, const IncrementReport& report) const;

@@ -80,6 +80,32 @@ TEST(InvarianceTest, NumberOfThreadsDoesNotMatterToTheLastBit)
   EXPECT_EQ(one.dissipation, two.dissipation);
 }
 
+TEST(InvarianceTest, AThreadForEachBodyChangesNothing)
+{
+  // Two threads take one body each, four share each body.
+  const auto pressed = []
+  {
+    SpherePress press(PressOptions{});
+    EXPECT_TRUE(press.press(1.6).converged);
+    EXPECT_TRUE(press.press(1.8).converged);
+    Outcome both = results(press);
+    const BodyState& upper = press.contact().upper().state();
+    both.strain.insert(both.strain.end(), upper.plastic_strain.begin(), upper.plastic_strain.end());
+    both.dissipation += upper.dissipation;
+    return both;
+  };
+  const Outcome one = with_threads(1, pressed);
+  EXPECT_GT(one.dissipation, 0.0);
+  for (const int threads : {2, 4})
+  {
+    const Outcome several = with_threads(threads, pressed);
+    EXPECT_EQ(one.pressure, several.pressure) << threads;
+    EXPECT_EQ(one.strain, several.strain) << threads;
+    EXPECT_EQ(one.displacement, several.displacement) << threads;
+    EXPECT_EQ(one.dissipation, several.dissipation) << threads;
+  }
+}
+
 TEST(InvarianceTest, UnitOfLengthDoesNotMatter)
 {
   // Micrometres: 1e6 is no power of two, so every number is rounded anew, and the acceleration makes round-off visible to
