@@ -168,7 +168,12 @@ private:
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const;
   void find_displacement_x();
-  [[nodiscard]] double work_of(std::span<const double> stress_deviator, std::span<const double> strain) const;
+  /// At the end of the current increment; empty without heat.
+  [[nodiscard]] const std::vector<double>& thermal_stress() const
+  {
+    return has_own_thermal_stress_ ? thermal_stress_ : state_.thermal_stress;
+  }
+  [[nodiscard]] double work_of_thermal_stress(const PlasticZone& zone) const;
   [[nodiscard]] double thermal_work_of_trial() const;
   void prepare_trial();
   void recover_guess();
@@ -223,8 +228,9 @@ private:
   PlasticZone zone_;                                  ///< of the state
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   std::vector<double> softening_;                     ///< at the end of the current increment; empty: none
-  std::vector<double> thermal_stress_;                ///< at the end of the current increment; empty without heat
-  double stiffness_ = 0.0;                            ///< c [Pa]
+  std::vector<double> thermal_stress_;  ///< at the end of the current increment, if it is `has_own_thermal_stress_`
+  bool has_own_thermal_stress_ = false; ///< otherwise that of the state stays
+  double stiffness_ = 0.0;              ///< c [Pa]
   bool shortcuts_;
   Symmetry symmetry_;
   int layers_; ///< layers whose stress is computed, from the surface
