@@ -206,6 +206,9 @@ private:
   void find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
                          double fraction, std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
+  [[nodiscard]] double equivalent_of_active(std::size_t a) const;
+  [[nodiscard]] bool extends_beyond(const std::vector<std::size_t>& cells, std::size_t apart, int places,
+                                    double largest) const;
   [[nodiscard]] bool may_yield_below() const;
   [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const;
   [[nodiscard]] PlasticZone zone_of_trial() const;
