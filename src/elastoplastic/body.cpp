@@ -103,7 +103,7 @@ void Body::exchange(Archive& archive)
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
-  thermal_stress_ = state_.thermal_stress;
+  has_own_thermal_stress_ = false;
   softening_ = state_.softening;
   if (!archive.gives())
     return;
@@ -130,8 +130,7 @@ void Body::begin(int shift, double stiffness_share)
   if (!is_plastic())
     return;
   prepare_trial();
-  if (in_increment_) // the last increment was neither committed nor restored; otherwise it already is that of the state
-    thermal_stress_ = state_.thermal_stress;
+  has_own_thermal_stress_ = false;
   in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
@@ -150,7 +149,7 @@ void Body::restore()
   displacement_ = state_.residual_displacement;
   displacement_x_ = state_.residual_displacement_x;
   displacement_y_ = state_.residual_displacement_y;
-  thermal_stress_ = state_.thermal_stress;
+  has_own_thermal_stress_ = false;
   softening_ = state_.softening;
   if (!in_increment_)
     return;
@@ -189,13 +188,16 @@ void Body::add_initial_stress(int layers, int rows, std::span<double> stress) co
 
 void Body::set_thermal_stress(std::span<const double> deviator)
 {
-  if (is_plastic())
-    thermal_stress_.assign(deviator.begin(), deviator.end());
+  if (!is_plastic())
+    return;
+  thermal_stress_.assign(deviator.begin(), deviator.end());
+  has_own_thermal_stress_ = true;
 }
 
 void Body::add_thermal_stress(int layers, int rows, std::span<double> stress) const
 {
-  if (thermal_stress_.empty())
+  const std::vector<double>& thermal = thermal_stress();
+  if (thermal.empty())
     return;
   const std::size_t n = grid().size();
   for (std::size_t component = 0; component < Deviator::size; ++component)
@@ -203,7 +205,7 @@ void Body::add_thermal_stress(int layers, int rows, std::span<double> stress) co
     {
       const std::size_t first = component * n + grid().index(0, 0, layer);
       for (std::size_t cell = first; cell < first + grid().surface.index(0, rows); ++cell)
-        stress[cell] += thermal_stress_[cell];
+        stress[cell] += thermal[cell];
     }
 }
 
@@ -246,7 +248,9 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   for (std::size_t a = 0; a < active_.size(); ++a)
     state_.dissipation += copies(a) * active_.dissipation(a) * grid().cell_volume();
   state_.thermal_work += thermal_work_of_trial();
-  state_.thermal_stress = thermal_stress_;
+  if (has_own_thermal_stress_)
+    state_.thermal_stress.swap(thermal_stress_);
+  has_own_thermal_stress_ = false;
   state_.softening = softening_;
   for_pieces(stress_.size(), [&](std::size_t first, std::size_t last)
              { std::copy(stress_.begin() + first, stress_.begin() + last, state_.stress.begin() + first); });

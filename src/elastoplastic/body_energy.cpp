@@ -32,7 +32,7 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZ
     return work;
   };
   // The stress includes the thermal stress, which is not due to the plastic strain: its work is subtracted.
-  const double volume_work = sum_of_pieces(n, work_in) - work_of(thermal_stress_, state_.plastic_strain);
+  const double volume_work = sum_of_pieces(n, work_in) - work_of_thermal_stress(zone);
   double surface_work = dot(load.pressure, displacement_);
   if (!load.shear_x.empty())
     surface_work += dot(load.shear_x, displacement_x_);
@@ -41,20 +41,20 @@ double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZ
   return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
 }
 
-/// Work of a deviatoric stress on a plastic strain of the present state or trial, as a sum over cells [Pa]; times the cell volume
-/// it is an energy.
-double Body::work_of(std::span<const double> stress_deviator, std::span<const double> strain) const
+/// Work of the thermal stress on the plastic strain, as a sum over cells [Pa]; times the cell volume it is an energy.
+/// @param zone  contains all cells with plastic strain
+double Body::work_of_thermal_stress(const PlasticZone& zone) const
 {
-  if (stress_deviator.empty())
+  const std::vector<double>& thermal = thermal_stress();
+  if (thermal.empty())
     return 0.0;
   const std::size_t n = grid().size();
   double work = 0.0;
-  (in_increment_ ? zone_of_trial() : zone_)
-      .for_cells(0, n,
+  zone.for_cells(0, n,
                  [&](std::size_t from, std::size_t to)
                  {
                    for (std::size_t cell = from; cell < to; ++cell)
-                     work += contract(deviator_at(stress_deviator, n, cell), deviator_at(strain, n, cell));
+                     work += contract(deviator_at(thermal, n, cell), deviator_at(state_.plastic_strain, n, cell));
                  });
   return work;
 }
@@ -62,14 +62,15 @@ double Body::work_of(std::span<const double> stress_deviator, std::span<const do
 /// Work of the thermal stress on the plastic strain of the present increment, by the trapezoidal rule [J].
 double Body::thermal_work_of_trial() const
 {
-  if (thermal_stress_.empty())
+  const std::vector<double>& thermal = thermal_stress();
+  if (thermal.empty())
     return 0.0;
   const std::size_t n = grid().size();
   double work = 0.0;
   for (std::size_t a = 0; a < active_.size(); ++a)
   {
     const std::size_t cell = active_.cell(a);
-    Deviator mean = 0.5 * deviator_at(thermal_stress_, n, cell);
+    Deviator mean = 0.5 * deviator_at(thermal, n, cell);
     if (!state_.thermal_stress.empty())
       mean = mean + 0.5 * deviator_at(state_.thermal_stress, n, cell);
     work += copies(a) * contract(mean, deviator_at(state_.plastic_strain, n, cell) - active_.start(a));
@@ -95,8 +96,9 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
   double dissipation = 0.0;
   for (std::size_t a = 0; a < active_.size(); ++a)
     dissipation += copies(a) * active_.dissipation(a);
-  const double thermal_work = work_of(thermal_stress_, state_.plastic_strain) * grid().cell_volume();
-  const double locked_in = in_increment_ ? locked_in_energy(load, zone_of_trial()) : state_.locked_in_energy;
+  const std::optional<PlasticZone> trial = in_increment_ ? std::optional(zone_of_trial()) : std::nullopt;
+  const double locked_in = trial ? locked_in_energy(load, *trial) : state_.locked_in_energy;
+  const double thermal_work = work_of_thermal_stress(trial ? *trial : zone_) * grid().cell_volume();
   return dissipation * grid().cell_volume() + locked_in - thermal_work;
 }
 

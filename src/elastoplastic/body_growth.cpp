@@ -48,7 +48,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   state_.thermal_work = history.thermal_work;
   state_.thermal_stress.assign(history.thermal_stress.empty() ? 0 : Deviator::size * grid().size(), 0.0);
   embed(history.thermal_stress, from, state_.thermal_stress, grid());
-  thermal_stress_ = state_.thermal_stress;
+  has_own_thermal_stress_ = false;
   state_.softening.assign(history.softening.empty() ? 0 : grid().size(), softening_far_away(material_));
   embed(history.softening, from, state_.softening, grid());
   softening_ = state_.softening;

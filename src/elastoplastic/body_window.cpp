@@ -109,7 +109,7 @@ void Body::find_stress(const halfspace::SurfaceLoad& load)
   }
   if (windowed_)
   {
-    window_->stress(load, thermal_stress_, stress_, work_);
+    window_->stress(load, thermal_stress(), stress_, work_);
     return;
   }
   loaded_->stress(load, stress_);

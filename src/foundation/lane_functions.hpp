@@ -77,6 +77,19 @@ inline ComplexLanes load_lanes(const Complex* from)
   return {shuffled(low, high, [](int lane) { return 2 * lane; }),
           shuffled(low, high, [](int lane) { return 2 * lane + 1; })};
 }
+/// Loads the first `count` values; zero in the other lanes.
+inline ComplexLanes load_lanes(const Complex* from, std::size_t count)
+{
+  if (count == lane_count)
+    return load_lanes(from);
+  ComplexLanes value;
+  for (std::size_t lane = 0; lane < count; ++lane)
+  {
+    value.re[lane] = from[lane].real();
+    value.im[lane] = from[lane].imag();
+  }
+  return value;
+}
 /// Stores that bypass the caches, for arrays larger than `cached_bytes`: the old contents of the array then need not be read from
 /// memory first. `to` must begin on a cache line. Other threads see the values only after `end_streaming`.
 inline void stream_lanes(const Lanes& value, double* to)

@@ -47,31 +47,67 @@ Decay decay(double rate, double left, const Lanes& rates, const Lanes& lefts)
   return {remains, is_small ? series : of_all};
 }
 
+/// Calls work(block, scratch) for all blocks, by several threads if there are many of them.
+template <typename MakeScratch, typename Work>
+void for_blocks(std::size_t blocks, const MakeScratch& make_scratch, const Work& work)
+{
+  if (!is_shared(blocks * lane_count))
+  {
+    auto scratch = make_scratch();
+    for (std::size_t block = 0; block < blocks; ++block)
+      work(block, scratch);
+    return;
+  }
+#pragma omp parallel
+  {
+    auto scratch = make_scratch();
+#pragma omp for schedule(static)
+    for (std::size_t block = 0; block < blocks; ++block)
+      work(block, scratch);
+  }
+}
+
+void add_lanes(const ComplexLanes& value, double* to)
+{
+  auto* at = reinterpret_cast<Complex*>(to);
+  store_lanes(load_lanes(at) + value, at);
+}
+
 } // namespace
 
 BuriedHeat::BuriedHeat(std::shared_ptr<const LayeredConduction> layers, std::span<const SurfaceWave> along,
-                       std::size_t plane, double diffusivity)
-    : layers_(std::move(layers)), plane_(plane), diffusivity_(diffusivity)
+                       std::size_t columns, double diffusivity)
+    : layers_(std::move(layers)), blocks_in_row_((columns + lane_count - 1) / lane_count), diffusivity_(diffusivity)
 {
   const double half = 0.5 * layers_->thickness(), next = std::numbers::sqrt2 * layers_->thickness();
-  for (AlignedVector<double>* of_part :
-       {&decays_.half_left, &decays_.half_sum, &decays_.next_left, &decays_.next_sum, &decays_.k})
-    of_part->reserve(2 * plane);
-  for (std::size_t n = 0; n < 2 * plane; ++n)
-  {
-    const double k = along[std::min(n / 2, along.size() - 1)].k;
-    decays_.k.push_back(k);
-    decays_.half_left.push_back(std::exp(-k * half));
-    decays_.half_sum.push_back(sum_of(k, half));
-    decays_.next_left.push_back(std::exp(-k * next));
-    decays_.next_sum.push_back(sum_of(k, next));
-  }
+  for (std::size_t row = 0; row < along.size(); row += columns)
+    for (std::size_t first = 0; first < columns; first += lane_count)
+    {
+      Block block{row + first, std::min<std::size_t>(lane_count, columns - first), {}, {}, {}, {}, {}};
+      for (std::size_t lane = 0; lane < lane_count; ++lane)
+      {
+        const double k = along[block.wave + std::min(lane, block.count - 1)].k;
+        block.k[lane] = k;
+        block.half_left[lane] = std::exp(-k * half);
+        block.half_sum[lane] = sum_of(k, half);
+        block.next_left[lane] = std::exp(-k * next);
+        block.next_sum[lane] = sum_of(k, next);
+      }
+      blocks_.push_back(block);
+    }
+}
+
+BuriedHeat::Scratch BuriedHeat::make_scratch() const
+{
+  const AlignedVector<ComplexLanes> waves(layers_->size());
+  const AlignedVector<Lanes> decay(kinds());
+  return {waves, waves, decay, decay};
 }
 
 void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double duration)
 {
   const std::size_t n = layers_->size();
-  Step step{duration, rise, n, 0, {}, {}};
+  Step step{rise, n, 0, {}, {}};
   for (std::size_t j = 0; j < n; ++j)
     if (!rise[j].empty())
     {
@@ -82,8 +118,9 @@ void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double
   if (is_cold_ && step.last == 0)
     return;
   is_cold_ = false;
-  for (AlignedVector<Complex>* field : {&modes_, &before_, &temperature_})
-    field->resize(n * plane_);
+  for (AlignedVector<ComplexLanes>* field : {&modes_, &before_, &temperature_})
+    field->resize(n * blocks_.size());
+  potential_.resize(blocks_.size());
   modes_.swap(before_);
   for (const double s2 : layers_->squared_numbers())
   {
@@ -91,106 +128,54 @@ void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double
     step.left.push_back(std::exp(-step.rates.back()));
   }
   plan_step(duration);
-  const auto make_scratch = [&]
-  {
-    const AlignedVector<double> lanes(n * lane_count);
-    const Scratch half{lanes, lanes, lanes, lanes};
-    return std::array<Scratch, 2>{half, half};
-  };
-  if (!is_shared(plane_))
-  {
-    std::array<Scratch, 2> scratch = make_scratch();
-    for (std::size_t wave = 0; wave < plane_; wave += lane_count) // a plane has whole cache lines
-      step_waves(wave, step, scratch);
-  }
-  else
-  {
-#pragma omp parallel
-    {
-      std::array<Scratch, 2> scratch = make_scratch();
-#pragma omp for schedule(static)
-      for (std::size_t wave = 0; wave < plane_; wave += lane_count)
-        step_waves(wave, step, scratch);
-    }
-  }
-  find_potential_at_surface();
+  for_blocks(
+      blocks_.size(), [&] { return make_scratch(); },
+      [&](std::size_t block, Scratch& scratch) { step_block(block, step, scratch); });
 }
 
 /// Decay factors are stored, as most steps have the same duration as the one before.
 void BuriedHeat::plan_step(double duration)
 {
-  if (planned_ && planned_->duration == duration)
+  if (planned_ == duration)
     return;
-  planned_ = Planned{duration, {}, {}};
-  for (std::size_t wave = 0; wave < plane_; ++wave)
+  planned_ = duration;
+  for (Block& block : blocks_)
   {
-    const double k = decays_.k[2 * wave];
-    planned_->rates.push_back(diffusivity_ * k * k * duration);
-    planned_->left.push_back(std::exp(-planned_->rates.back()));
+    block.rates = diffusivity_ * block.k * block.k * duration;
+    for (std::size_t lane = 0; lane < lane_count; ++lane)
+      block.left_along[lane] = std::exp(-block.rates[lane]);
   }
 }
 
-/// A step of the `lane_count` waves from `wave` on. The decay, which is the same for real and imaginary parts, is computed once.
-void BuriedHeat::step_waves(std::size_t wave, const Step& step, std::array<Scratch, 2>& halves)
+void BuriedHeat::step_block(std::size_t number, const Step& step, Scratch& scratch)
 {
-  constexpr std::size_t half = lane_count / 2;
   const std::size_t n = layers_->size();
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    Scratch& scratch = halves[h];
-    for (std::size_t j = step.first; j < step.last; ++j)
-      store_lanes(step.rise[j].empty()
-                      ? Lanes{}
-                      : load_lanes(reinterpret_cast<const double*>(step.rise[j].data() + wave + h * half)),
-                  lane_count, scratch.rise.data() + j * lane_count);
-    if (step.last > 0)
-      layers_->to_modes().multiply(scratch.rise.data(), step.first, step.last, scratch.in.data());
-  }
-  const Lanes rates = load_lanes(planned_->rates.data() + wave), left = load_lanes(planned_->left.data() + wave);
+  const Block& block = blocks_[number];
+  for (std::size_t j = step.first; j < step.last; ++j)
+    scratch.rise[j] = step.rise[j].empty() ? ComplexLanes{} : load_lanes(step.rise[j].data() + block.wave, block.count);
+  if (step.last > 0)
+    layers_->to_modes().multiply(scratch.rise.data(), step.first, step.last, scratch.in.data());
+  const ComplexLanes* before = before_.data() + number * n;
+  ComplexLanes* modes = modes_.data() + number * n;
   for (std::size_t l = 0; l < n; ++l)
   {
-    const Decay of_mode = decay(step.rates[l], step.left[l], rates, left);
-    const auto advance = [&](std::size_t h, const Lanes& remains, const Lanes& share)
-    {
-      const std::size_t at = l * plane_ + wave + h * half;
-      const Lanes mode = remains * load_lanes(reinterpret_cast<const double*>(before_.data() + at)) +
-                         share * load_lanes(halves[h].in.data() + l * lane_count);
-      store_lanes(mode, lane_count, halves[h].modes.data() + l * lane_count);
-      store_lanes(mode, lane_count, reinterpret_cast<double*>(modes_.data() + at));
-    };
-    const auto twice_low = [](int lane) { return lane / 2; };
-    const auto twice_high = [](int lane) { return (lane + lane_count) / 2; };
-    advance(0, shuffled(of_mode.left, of_mode.left, twice_low), shuffled(of_mode.in, of_mode.in, twice_low));
-    advance(1, shuffled(of_mode.left, of_mode.left, twice_high), shuffled(of_mode.in, of_mode.in, twice_high));
+    const Decay of_mode = decay(step.rates[l], step.left[l], block.rates, block.left_along);
+    modes[l] = of_mode.left * before[l] + of_mode.in * scratch.in[l];
   }
-  for (std::size_t h = 0; h < halves.size(); ++h)
-    find_temperature_from(wave + h * half, halves[h]);
+  find_temperature(number, scratch);
 }
 
-/// Computes the temperatures of neighbouring waves from the modes in `scratch`.
-void BuriedHeat::find_temperature_from(std::size_t wave, Scratch& scratch)
+/// Computes the temperatures of a block from its modes, and their potential at the surface.
+void BuriedHeat::find_temperature(std::size_t block, Scratch& scratch)
 {
   const std::size_t n = layers_->size();
-  layers_->to_layers().multiply(scratch.modes.data(), 0, n, scratch.warm.data());
-  for (std::size_t j = 0; j < n; ++j)
-    std::copy_n(scratch.warm.data() + j * lane_count, lane_count,
-                reinterpret_cast<double*>(temperature_.data() + j * plane_ + wave));
-}
-
-void BuriedHeat::find_temperature()
-{
-  const std::size_t n = layers_->size();
-  temperature_.resize(n * plane_);
-  const AlignedVector<double> lanes(n * lane_count);
-  Scratch scratch{{}, {}, lanes, lanes};
-  for (std::size_t wave = 0; wave < plane_; wave += lane_count / 2)
-  {
-    for (std::size_t l = 0; l < n; ++l)
-      std::copy_n(reinterpret_cast<const double*>(modes_.data() + l * plane_ + wave), lane_count,
-                  scratch.modes.data() + l * lane_count);
-    find_temperature_from(wave, scratch);
-  }
-  find_potential_at_surface();
+  ComplexLanes* warm = temperature_.data() + block * n;
+  layers_->to_layers().multiply(modes_.data() + block * n, 0, n, warm);
+  find_decay_over_layers(blocks_[block], scratch.left.data(), scratch.sum.data());
+  ComplexLanes potential;
+  for (std::size_t j = n; j-- > 0;)
+    potential = scratch.left[kind_of(j)] * potential + scratch.sum[kind_of(j)] * warm[j];
+  potential_[block] = potential;
 }
 
 void BuriedHeat::go_back()
@@ -198,191 +183,158 @@ void BuriedHeat::go_back()
   is_cold_ = was_cold_;
   if (is_cold_)
   {
-    std::fill(modes_.begin(), modes_.end(), Complex{});
-    std::fill(before_.begin(), before_.end(), Complex{});
+    std::fill(modes_.begin(), modes_.end(), ComplexLanes{});
+    std::fill(before_.begin(), before_.end(), ComplexLanes{});
     return;
   }
   modes_.swap(before_);
-  find_temperature();
+  for_blocks(
+      blocks_.size(), [&] { return make_scratch(); },
+      [&](std::size_t block, Scratch& scratch) { find_temperature(block, scratch); });
 }
 
-void BuriedHeat::set_modes(const AlignedVector<Complex>& modes)
+AlignedVector<Complex> BuriedHeat::modes(std::size_t plane) const
 {
-  modes_ = modes;
-  before_.assign(modes.size(), Complex{});
+  const std::size_t n = layers_->size();
+  AlignedVector<Complex> modes(n * plane);
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (std::size_t l = 0; l < n; ++l)
+      for (std::size_t lane = 0; lane < blocks_[b].count; ++lane)
+        modes[l * plane + blocks_[b].wave + lane] = {modes_[b * n + l].re[lane], modes_[b * n + l].im[lane]};
+  return modes;
+}
+
+void BuriedHeat::set_modes(const AlignedVector<Complex>& modes, std::size_t plane)
+{
+  const std::size_t n = layers_->size();
   is_cold_ = was_cold_ = std::all_of(modes.begin(), modes.end(), [](const Complex& mode) { return mode == Complex{}; });
-  if (!is_cold_)
-    find_temperature();
+  for (AlignedVector<ComplexLanes>* field : {&modes_, &before_, &temperature_})
+    field->assign(is_cold_ ? 0 : n * blocks_.size(), {});
+  if (is_cold_)
+    return;
+  potential_.resize(blocks_.size());
+  Scratch scratch = make_scratch();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+  {
+    for (std::size_t l = 0; l < n; ++l)
+      modes_[b * n + l] = load_lanes(modes.data() + l * plane + blocks_[b].wave, blocks_[b].count);
+    find_temperature(b, scratch);
+  }
 }
 
 /// The surface is insulated, so the temperature is extrapolated by T = a + b z^2 with the means of the first two layers.
-void BuriedHeat::add_surface(std::size_t begin, std::size_t count, Complex* temperature) const
+void BuriedHeat::add_surface(Complex* temperature) const
 {
-  if (is_cold_)
-    return;
-  const Complex *first = temperature_.data() + begin, *second = first + plane_;
-  for (std::size_t i = 0; i < count; ++i)
-    temperature[i] += first[i] + (first[i] - second[i]) / 6.0;
+  for (std::size_t b = 0; b < blocks_.size() && !is_cold_; ++b)
+  {
+    const ComplexLanes first = temperature_of(b)[0], second = temperature_of(b)[1];
+    const ComplexLanes rise = first + 1.0 / 6.0 * (first - second);
+    for (std::size_t lane = 0; lane < blocks_[b].count; ++lane)
+      temperature[blocks_[b].wave + lane] += Complex{rise.re[lane], rise.im[lane]};
+  }
 }
 
-BuriedHeat::Row BuriedHeat::make_row(std::size_t columns) const
+BuriedHeat::Row BuriedHeat::make_row() const
 {
   Row row;
-  row.pitch = (2 * columns + lane_count - 1) / lane_count * lane_count;
-  const std::size_t kinds = 1 + layers_->size() - layers_->heated();
-  for (AlignedVector<double>* of_kind : {&row.left, &row.sum})
-    of_kind->resize(kinds * row.pitch);
-  row.to_surface.resize(layers_->heated() * row.pitch);
-  for (AlignedVector<double>* of_layer : {&row.from_above, &row.from_below})
-    of_layer->resize((layers_->size() + 1) * row.pitch);
+  for (AlignedVector<Lanes>* of_kind : {&row.left, &row.sum})
+    of_kind->resize(kinds());
+  row.to_surface.resize(layers_->heated() * blocks_in_row_);
+  for (AlignedVector<ComplexLanes>* of_layer : {&row.from_above, &row.from_below})
+    of_layer->resize((layers_->size() + 1) * blocks_in_row_);
   return row;
 }
 
-/// e^{-kh} and its integral for each thickness h, [kind][pitch]; for twice the thickness the factor is the square.
-void BuriedHeat::find_decay_over_layers(std::size_t begin, std::size_t parts, std::size_t pitch, double* left,
-                                        double* sum) const
+/// e^{-kh} and its integral for each thickness h, [kind]; for twice the thickness the factor is the square.
+void BuriedHeat::find_decay_over_layers(const Block& block, Lanes* left, Lanes* sum) const
 {
-  const double *half_left = decays_.half_left.data() + 2 * begin, *half_sum = decays_.half_sum.data() + 2 * begin;
-#pragma omp simd
-  for (std::size_t n = 0; n < parts; ++n)
+  left[0] = block.half_left * block.half_left;
+  sum[0] = block.half_sum * (1.0 + block.half_left);
+  left[1] = block.next_left;
+  sum[1] = block.next_sum;
+  for (std::size_t m = 2; m < kinds(); ++m)
   {
-    left[n] = half_left[n] * half_left[n];
-    sum[n] = half_sum[n] * (1.0 + half_left[n]);
-  }
-  std::copy_n(decays_.next_left.data() + 2 * begin, parts, left + pitch);
-  std::copy_n(decays_.next_sum.data() + 2 * begin, parts, sum + pitch);
-  for (std::size_t m = 2; m < 1 + layers_->size() - layers_->heated(); ++m)
-  {
-    const double *once_left = left + (m - 2) * pitch, *once_sum = sum + (m - 2) * pitch;
-    double *twice_left = left + m * pitch, *twice_sum = sum + m * pitch;
-#pragma omp simd
-    for (std::size_t n = 0; n < parts; ++n)
-    {
-      twice_left[n] = once_left[n] * once_left[n];
-      twice_sum[n] = once_sum[n] * (1.0 + once_left[n]);
-    }
+    left[m] = left[m - 2] * left[m - 2];
+    sum[m] = sum[m - 2] * (1.0 + left[m - 2]);
   }
 }
 
-/// Processes the waves in pieces that fit into the cache.
-void BuriedHeat::find_potential_at_surface()
+void BuriedHeat::gather(std::size_t number, Row& row) const
 {
-  constexpr std::size_t piece = 64;
-  const std::size_t count = layers_->size(), heated = layers_->heated(), kinds = 1 + count - heated;
-  potential_.assign(2 * plane_, 0.0);
-#pragma omp parallel if (is_shared(plane_))
-  {
-    AlignedVector<double> left(kinds * piece), sum(kinds * piece);
-#pragma omp for schedule(static)
-    for (std::size_t begin = 0; begin < 2 * plane_; begin += piece)
-    {
-      const std::size_t parts = std::min(piece, 2 * plane_ - begin);
-      find_decay_over_layers(begin / 2, parts, piece, left.data(), sum.data());
-      double* potential = potential_.data() + begin;
-      for (std::size_t j = count; j-- > 0;)
-      {
-        const std::size_t kind = (j < heated ? 0 : 1 + j - heated) * piece;
-        const double *of_left = left.data() + kind, *of_sum = sum.data() + kind, *warm = layer(j, begin / 2);
-#pragma omp simd
-        for (std::size_t n = 0; n < parts; ++n)
-          potential[n] = of_left[n] * potential[n] + warm[n] * of_sum[n];
-      }
-    }
-  }
-}
-
-void BuriedHeat::gather(std::size_t begin, std::size_t count, Row& row) const
-{
-  row.begin = begin;
-  row.parts = 2 * count;
+  row.first = number * blocks_in_row_;
   const std::size_t layers = layers_->size(), heated = layers_->heated();
-  find_decay_over_layers(begin, row.parts, row.pitch, row.left.data(), row.sum.data());
-  const auto pass = [&](std::size_t j, const double* from, double* to)
+  for (std::size_t b = 0; b < blocks_in_row_; ++b)
   {
-    const std::size_t kind = (j < heated ? 0 : 1 + j - heated) * row.pitch;
-    const double *left = row.left.data() + kind, *sum = row.sum.data() + kind, *warm = layer(j, begin);
-#pragma omp simd
-    for (std::size_t n = 0; n < row.parts; ++n)
-      to[n] = left[n] * from[n] + warm[n] * sum[n];
-  };
-  const auto of_top = [&](AlignedVector<double>& field, std::size_t j) { return field.data() + j * row.pitch; };
-  std::fill_n(of_top(row.from_below, layers), row.parts, 0.0);
-  for (std::size_t j = layers; j-- > 0;)
-    pass(j, of_top(row.from_below, j + 1), of_top(row.from_below, j));
-  std::fill_n(of_top(row.from_above, 0), row.parts, 0.0);
-  for (std::size_t j = 0; j + 1 < layers; ++j)
-    pass(j, of_top(row.from_above, j), of_top(row.from_above, j + 1));
-  std::copy_n(decays_.half_left.data() + 2 * begin, row.parts, row.to_surface.data());
-  for (std::size_t j = 1; j < heated; ++j)
-  {
-    const double *above = of_top(row.to_surface, j - 1), *left = row.left.data();
-    double* here = of_top(row.to_surface, j);
-#pragma omp simd
-    for (std::size_t n = 0; n < row.parts; ++n)
-      here[n] = above[n] * left[n];
+    const Block& block = blocks_[row.first + b];
+    const ComplexLanes* warm = temperature_of(row.first + b);
+    ComplexLanes *above = row.from_above.data() + b * (layers + 1), *below = row.from_below.data() + b * (layers + 1);
+    find_decay_over_layers(block, row.left.data(), row.sum.data());
+    below[layers] = above[0] = {};
+    for (std::size_t j = layers; j-- > 0;)
+      below[j] = row.left[kind_of(j)] * below[j + 1] + row.sum[kind_of(j)] * warm[j];
+    for (std::size_t j = 0; j + 1 < layers; ++j)
+      above[j + 1] = row.left[kind_of(j)] * above[j] + row.sum[kind_of(j)] * warm[j];
+    Lanes* to_surface = row.to_surface.data() + b * heated;
+    to_surface[0] = block.half_left;
+    for (std::size_t j = 1; j < heated; ++j)
+      to_surface[j] = to_surface[j - 1] * row.left[0];
   }
 }
 
-void BuriedHeat::add_potential_at_surface(std::size_t begin, std::size_t count, double factor, Complex* potential) const
+void BuriedHeat::add_potential_at_surface(std::size_t number, double factor, Complex* potential) const
 {
-  auto* parts = reinterpret_cast<double*>(potential);
-  for (std::size_t n = 0; n < 2 * count; ++n)
-    parts[n] += factor * potential_[2 * begin + n];
+  for (std::size_t b = 0; b < blocks_in_row_; ++b)
+    add_lanes(factor * potential_[number * blocks_in_row_ + b], reinterpret_cast<double*>(potential + b * lane_count));
 }
 
 void BuriedHeat::add(double depth, double factor, const Row& row, const Sums& sums) const
 {
-  const std::size_t j = layers_->layer_at(depth);
-  const double *warm = layer(j, row.begin), *above = row.from_above.data() + j * row.pitch,
-               *below = row.from_below.data() + (j + 1) * row.pitch, *surface = row.from_below.data();
-  const auto add_part =
-      [&](std::size_t n, double left_above, double sum_above, double left_below, double sum_below, double to_surface)
-  {
-    const double down = left_above * above[n] + sum_above * warm[n], up = left_below * below[n] + sum_below * warm[n],
-                 image = to_surface * surface[n];
-    sums.potential[n] += 0.5 * factor * (down + up + image);
-    sums.slope[n] += 0.5 * factor * (up - down - image);
-  };
-  if (constexpr double rounding = 1e-9;
-      j < layers_->heated() && std::abs(depth - layers_->middle(j)) < rounding * layers_->thickness())
-  {
-    const double *left = decays_.half_left.data() + 2 * row.begin, *sum = decays_.half_sum.data() + 2 * row.begin,
-                 *to_surface = row.to_surface.data() + j * row.pitch;
-#pragma omp simd
-    for (std::size_t n = 0; n < row.parts; ++n)
-    {
-      sums.temperature[n] += factor * warm[n];
-      add_part(n, left[n], sum[n], left[n], sum[n], to_surface[n]);
-    }
-    return;
-  }
+  const std::size_t j = layers_->layer_at(depth), layers = layers_->size();
+  constexpr double rounding = 1e-9;
+  const bool is_middle =
+      j < layers_->heated() && std::abs(depth - layers_->middle(j)) < rounding * layers_->thickness();
   const double from_top = depth - layers_->top(j), to_bottom = std::max(0.0, layers_->bottom(j) - depth);
-  for (std::size_t n = 0; n < row.parts; n += 2)
+  for (std::size_t b = 0; b < blocks_in_row_; ++b)
   {
-    const double k = decays_.k[2 * row.begin + n], left_above = std::exp(-k * from_top),
-                 left_below = std::exp(-k * to_bottom), to_surface = std::exp(-k * depth),
-                 sum_above = sum_of(k, from_top, left_above), sum_below = sum_of(k, to_bottom, left_below);
-    for (std::size_t part = n; part < n + 2; ++part)
-      add_part(part, left_above, sum_above, left_below, sum_below, to_surface);
+    const Block& block = blocks_[row.first + b];
+    const ComplexLanes warm = temperature_of(row.first + b)[j], surface = row.from_below[b * (layers + 1)];
+    Lanes left_above = block.half_left, sum_above = block.half_sum, left_below = left_above, sum_below = sum_above,
+          to_surface{};
+    if (is_middle)
+      to_surface = row.to_surface[b * layers_->heated() + j];
+    for (std::size_t lane = 0; lane < lane_count && !is_middle; ++lane)
+    {
+      const double k = block.k[lane];
+      left_above[lane] = std::exp(-k * from_top);
+      left_below[lane] = std::exp(-k * to_bottom);
+      to_surface[lane] = std::exp(-k * depth);
+      sum_above[lane] = sum_of(k, from_top, left_above[lane]);
+      sum_below[lane] = sum_of(k, to_bottom, left_below[lane]);
+    }
+    const ComplexLanes down = left_above * row.from_above[b * (layers + 1) + j] + sum_above * warm,
+                       up = left_below * row.from_below[b * (layers + 1) + j + 1] + sum_below * warm,
+                       image = to_surface * surface;
+    const std::size_t at = 2 * lane_count * b;
+    add_lanes(0.5 * factor * (down + up + image), sums.potential + at);
+    add_lanes(0.5 * factor * (up - down - image), sums.slope + at);
+    add_lanes(factor * (is_middle ? warm : temperature_between(depth, row.first + b)), sums.temperature + at);
   }
-  add_temperature_between(depth, factor, row, sums.temperature);
 }
 
 /// Above the middle of the first layer the extrapolation of `add_surface` is used, otherwise linear interpolation between the
 /// middles.
-void BuriedHeat::add_temperature_between(double depth, double factor, const Row& row, double* temperature) const
+ComplexLanes BuriedHeat::temperature_between(double depth, std::size_t block) const
 {
   const LayeredConduction& layers = *layers_;
   std::size_t upper = layers.layer_at(depth);
   if (depth < layers.middle(upper) && upper > 0)
     --upper;
   upper = std::min(upper, layers.size() - 2);
-  const double *warm = layer(upper, row.begin), *next = layer(upper + 1, row.begin);
+  const ComplexLanes warm = temperature_of(block)[upper], next = temperature_of(block)[upper + 1];
   const double h = layers.thickness(),
                linear = (depth - layers.middle(upper)) / (layers.middle(upper + 1) - layers.middle(upper));
   const double share = depth < layers.middle(0) ? 0.5 * depth * depth / (h * h) - 1.0 / 6.0 : std::min(1.0, linear);
-  for (std::size_t n = 0; n < row.parts; ++n)
-    temperature[n] += factor * (warm[n] + share * (next[n] - warm[n]));
+  return warm + share * (next - warm);
 }
 
 } // namespace brinell::halfspace

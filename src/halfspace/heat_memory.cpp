@@ -29,7 +29,7 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
     : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), at_surface_(surface.at_surface.end() - static_cast<std::ptrdiff_t>(waves_.waves.size()),
                                             surface.at_surface.end() - 1),
-      heat_(block_of(fft_.rows()) * waves_.waves.size())
+      heat_{AlignedVector<ComplexLanes>(block_of(fft_.rows()) * waves_.waves.size())}
 {
   const PlaneOfWaves& all = fft_.full_plane();
   for (int row = 0; row < fft_.rows(); ++row)
@@ -52,7 +52,7 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
       share[lane] = waves_.slow_share(k_[n][lane]);
   }
   if (layers)
-    buried_.emplace(layers, along_, fft_.plane(), diffusivity_);
+    buried_.emplace(layers, along_, columns(), diffusivity_);
 }
 
 std::span<const SurfaceWave> HeatMemory::row_of_waves(int row) const
@@ -116,16 +116,14 @@ std::span<Complex> complex_values(AlignedVector<double>& parts, std::size_t firs
 } // namespace
 
 /// Adds factor k, decay and the slowest wave in depth to the sum for the potential at the surface, if nothing else is summed.
-void HeatMemory::find_surface_potential(int row, const Complex* potential, Row& sums) const
+void HeatMemory::find_surface_potential(int row, const RowOfFields& wanted, Row& sums) const
 {
-  const std::size_t slowest = waves_.waves.size() - 1;
+  const Complex *potential = wanted.at_surface + begin_of(row), *slowest = wanted.slowest + begin_of(row);
   auto* out = reinterpret_cast<Complex*>(sums.of_surface.at_surface.data());
   for (std::size_t i = 0; i < columns(); ++i)
   {
     const std::size_t block = block_of(row) + i / lane_count, lane = i % lane_count;
-    const ComplexLanes& heat = heat_of_block(block)[slowest];
-    out[i] = sums.left[i / lane_count][lane] *
-             (k_[block][lane] * potential[i] + slow_share_[block][lane] * Complex{heat.re[lane], heat.im[lane]});
+    out[i] = sums.left[i / lane_count][lane] * (k_[block][lane] * potential[i] + slow_share_[block][lane] * slowest[i]);
   }
 }
 
@@ -134,10 +132,10 @@ void HeatMemory::find_surface_potential(int row, const Complex* potential, Row& 
 void HeatMemory::add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const
 {
   DepthSums::Row& row = sums.of_surface;
-  const std::size_t first = number * row.pitch, parts = sums.buried.parts;
+  const std::size_t first = number * row.pitch;
   for (AlignedVector<double>* sum : {&row.temperature, &row.potential, &row.slope})
     std::fill(sum->begin() + static_cast<std::ptrdiff_t>(first + 2 * columns),
-              sum->begin() + static_cast<std::ptrdiff_t>(first + parts), 0.0);
+              sum->begin() + static_cast<std::ptrdiff_t>(first + row.pitch), 0.0);
   buried_->add(depth, factor, sums.buried,
                {row.temperature.data() + first, row.potential.data() + first, row.slope.data() + first});
 }
@@ -150,15 +148,15 @@ void HeatMemory::add_row(int row, const RowOfFields& wanted, Row& sums) const
   for (std::size_t n = 0; n < blocks(); ++n)
     sums.left[n] = wanted.factor * left_along(block + n, wanted.duration);
   if (wanted.sums != nullptr)
-    wanted.sums->gather({&k_[block], &slow_share_[block], sums.left.data(), heat_of_block(block)}, of_surface);
+    wanted.sums->gather({&k_[block], &slow_share_[block], sums.left.data(), heat_of_row(row, sums.heat)}, of_surface);
   else
-    find_surface_potential(row, wanted.at_surface + begin_of(row), sums);
+    find_surface_potential(row, wanted, sums);
   if (wanted.has_buried)
   {
     if (wanted.sums != nullptr)
-      buried_->gather(begin_of(row), along.size(), sums.buried);
-    buried_->add_potential_at_surface(begin_of(row), along.size(), wanted.factor,
-                                      complex_values(of_surface.at_surface, 0, along.size()).data());
+      buried_->gather(static_cast<std::size_t>(row), sums.buried);
+    buried_->add_potential_at_surface(static_cast<std::size_t>(row), wanted.factor,
+                                      reinterpret_cast<Complex*>(of_surface.at_surface.data()));
   }
   sums.decay.begin();
   for (std::size_t first = 0; first < wanted.depths.size(); first += DepthSums::together)
@@ -222,10 +220,10 @@ HeatMemory::Row HeatMemory::make_row(const RowOfFields& wanted) const
 {
   Row row{wanted.sums != nullptr ? wanted.sums->make_row(columns()) : DepthSums::Row{}, DecayInDepth(columns())};
   if (wanted.sums == nullptr)
-    row.of_surface.at_surface.resize(2 * columns());
+    row.of_surface.at_surface.resize(2 * lane_count * blocks());
   row.left.resize(blocks());
   if (wanted.has_buried)
-    row.buried = buried_->make_row(columns());
+    row.buried = buried_->make_row();
   return row;
 }
 
@@ -241,15 +239,20 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
   const bool is_deep = !depths.front().temperature.empty();
   std::optional<DepthSums> sums;
   std::optional<SurfaceSums> found;
-  const Complex* at_surface = nullptr;
+  const Complex *at_surface = nullptr, *slowest = nullptr;
   if (is_deep)
     sums.emplace(waves_.waves, depths, left_in_depth(duration));
-  else if (sums_ && (duration == 0.0 || duration == sums_->duration))
-    at_surface = (duration == 0.0 ? sums_->potential_now : sums_->potential).data();
   else
-    at_surface = found.emplace(find_sums(duration)).potential.data();
+  {
+    const bool is_now = duration == 0.0, is_known = sums_ && (is_now || duration == sums_->duration);
+    // Sums that are not known any more are those that a step would have left, to the last digit.
+    const double after = is_now && !heat_.amended.empty() ? heat_.motion.duration : duration;
+    const SurfaceSums& known = is_known ? *sums_ : found.emplace(find_sums(after));
+    at_surface = (is_now ? known.potential_now : known.potential).data();
+    slowest = known.slowest.data();
+  }
   const std::vector<int> significant = significant_columns(depths, has_buried);
-  const RowOfFields wanted{duration,       factor, has_buried, sums ? &*sums : nullptr, at_surface, depths,
+  const RowOfFields wanted{duration,       factor, has_buried, sums ? &*sums : nullptr, at_surface, slowest, depths,
                            fields_of_heat, waves,  significant};
   if (!is_shared(fft_.plane()))
   {
@@ -288,7 +291,7 @@ void HeatMemory::add_buried(double factor, std::span<double> temperature) const
   if (!buried_ || buried_->is_cold())
     return;
   AlignedVector<Complex> spectrum(fft_.plane() + IndependentRowsFft::slack);
-  buried_->add_surface(0, along_.size(), spectrum.data());
+  buried_->add_surface(spectrum.data());
   for (Complex& wave : spectrum)
     wave *= factor;
   const IndependentRowsFft::Spectrum rows{spectrum.data(), fft_.full_plane().kx()};

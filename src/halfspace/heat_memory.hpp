@@ -30,9 +30,16 @@ struct HeatRow
 class HeatMemory
 {
 public:
-  /// Heat of each wave along the surface and in depth, [row][block][wave] [K m]: a block holds neighbouring columns of a row in
-  /// lanes, one wave in depth after the other.
-  using Heat = AlignedVector<ComplexLanes>;
+  /// Heat of each wave along the surface and in depth. What `amend` adds is the same for all waves in depth except for a factor
+  /// that depends on the motion only. It is therefore stored separately, and added to the waves by the next step, which changes
+  /// all of them anyway.
+  struct Heat
+  {
+    /// [row][block][wave] [K m]: a block holds neighbouring columns of a row in lanes, one wave in depth after the other.
+    AlignedVector<ComplexLanes> waves;
+    AlignedVector<Complex> amended{};   ///< heat per step that is not yet in the waves, [plane] [K m]; empty: none
+    HeatMotion motion{.duration = 0.0}; ///< of the step that was amended
+  };
 
   /// @param grid      grid of flux and temperature
   /// @param px, py    periods, in cells of the grid
@@ -87,8 +94,13 @@ public:
   [[nodiscard]] const Heat& heat() const { return heat_; }
   void set_heat(const Heat& heat);
   /// The heat in a layout that does not depend on the symmetry; real and imaginary parts alternate.
-  [[nodiscard]] std::vector<double> whole_heat() const;
-  void set_whole_heat(std::span<const double> values);
+  struct WholeHeat
+  {
+    std::vector<double> waves, amended;
+    HeatMotion motion{.duration = 0.0};
+  };
+  [[nodiscard]] WholeHeat whole_heat() const;
+  void set_whole_heat(const WholeHeat& heat);
   /// Likewise for the heat in the body; empty if no heat can be generated there.
   [[nodiscard]] std::vector<double> whole_heat_in_body() const;
   void set_whole_heat_in_body(std::span<const double> values);
@@ -101,17 +113,15 @@ private:
   /// Number of blocks of `lane_count` columns in a row; lanes beyond the last column are zero.
   [[nodiscard]] std::size_t blocks() const { return (columns() + lane_count - 1) / lane_count; }
   [[nodiscard]] std::size_t block_of(int row) const { return static_cast<std::size_t>(row) * blocks(); }
-  [[nodiscard]] const ComplexLanes* heat_of_block(std::size_t block) const
-  {
-    return heat_.data() + block * waves_.waves.size();
-  }
+  using RowOfHeat = AlignedVector<ComplexLanes>;
+  [[nodiscard]] const ComplexLanes* heat_of_row(int row, RowOfHeat& buffer) const;
   /// Task of `fields`, the same for every row.
   struct RowOfFields
   {
     double duration, factor;
-    bool has_buried;           ///< whether there is heat in the body
-    const DepthSums* sums;     ///< nullptr if only the surface is wanted
-    const Complex* at_surface; ///< potential at the surface, without its factor k; used if `sums` is nullptr
+    bool has_buried;                     ///< whether there is heat in the body
+    const DepthSums* sums;               ///< nullptr if only the surface is wanted
+    const Complex *at_surface, *slowest; ///< as in `SurfaceSums`; used if `sums` is nullptr
     std::span<const DepthFactors> depths;
     const FieldsOfHeat& fields_of_heat;
     Complex* spectra;                 ///< [depth][field][plane]
@@ -126,6 +136,7 @@ private:
     AlignedVector<Lanes> left{}; ///< decay of each wave along the surface, times the factor: [block]
     std::vector<Complex*> out{}; ///< fields at a depth
     BuriedHeat::Row buried{};
+    RowOfHeat heat{}; ///< with what was amended
   };
   [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
   void add_row(int row, const RowOfFields& wanted, Row& sums) const;
@@ -134,9 +145,18 @@ private:
   void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   [[nodiscard]] AlignedVector<Complex> independent_rows_of(std::span<const double> values) const;
-  void find_surface_potential(int row, const Complex* potential, Row& sums) const;
+  void find_surface_potential(int row, const RowOfFields& wanted, Row& sums) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 
+  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid
+  /// until the next step.
+  struct SurfaceSums
+  {
+    double duration;
+    AlignedVector<Complex> temperature; ///< that remains after `duration`
+    /// After `duration`, and now; and the heat of the slowest wave in depth. Empty if only the temperature is wanted.
+    AlignedVector<Complex> potential, potential_now, slowest;
+  };
   /// Decay and shift of neighbouring waves along the surface in a step.
   struct StepOfBlock
   {
@@ -146,16 +166,9 @@ private:
   struct Step
   {
     HeatMotion motion;
-    AlignedVector<StepOfBlock> blocks; ///< [row][block]
-  };
-  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid
-  /// until the next step.
-  struct SurfaceSums
-  {
-    double duration;
-    AlignedVector<Complex> temperature; ///< that remains after `duration`
-    AlignedVector<Complex> potential,
-        potential_now; ///< after `duration`, and now; empty if only the temperature is wanted
+    AlignedVector<StepOfBlock> blocks;     ///< [row][block]
+    std::vector<double> rates, left;       ///< of the waves in depth: kappa s^2 t, and e^{-that}
+    std::optional<SurfaceSums> response{}; ///< of unit heat in each wave along the surface; planned when it is needed
   };
   /// Weights of the waves in depth in these sums.
   struct SurfaceWeights
@@ -164,12 +177,20 @@ private:
     std::vector<double> temperature, potential, potential_now;
   };
   void plan_step(const HeatMotion& motion);
-  void step_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
-                 bool sums_surface);
+  void step_from(const Heat& before, const AlignedVector<Complex>& heat);
+  void add_amended(const Heat& from);
+  void fill_amended(int row, const Complex* amended, const ComplexLanes* before, ComplexLanes* heat) const;
+  [[nodiscard]] AlignedVector<Complex> heat_of(std::span<const double> flux, const HeatMotion& motion) const;
+  [[nodiscard]] SurfaceSums find_response() const;
   [[nodiscard]] Lanes left_along(std::size_t block, double duration) const;
   [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
   [[nodiscard]] SurfaceSums empty_sums(double duration) const;
-  void sum_row(int row, const SurfaceWeights& weights, SurfaceSums& sums) const;
+  // A run that goes on from a checkpoint computes the sums anew, and must find the same digits. Inlined at two places, the same
+  // lines may be compiled to other orders of multiplication and addition.
+  [[gnu::noinline]] static void add_response(const SurfaceSums& response, const AlignedVector<Complex>& heat,
+                                             SurfaceSums& sums);
+  [[gnu::noinline]] void sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights,
+                                 SurfaceSums& sums) const;
   [[nodiscard]] SurfaceSums find_sums(double duration) const;
 
   IndependentRowsFft fft_;

@@ -41,28 +41,34 @@ AlignedVector<Complex> HeatMemory::planes() const
     for (int row = 0; row < fft_.rows(); ++row)
       for (std::size_t i = 0; i < columns(); ++i)
       {
-        const ComplexLanes& value = heat_of_block(block_of(row) + i / lane_count)[w];
+        const ComplexLanes& value = heat_.waves[(block_of(row) + i / lane_count) * waves_.waves.size() + w];
         planes[w * fft_.plane() + begin_of(row) + i] = {value.re[i % lane_count], value.im[i % lane_count]};
       }
   return planes;
 }
 
-std::vector<double> HeatMemory::whole_heat() const
+HeatMemory::WholeHeat HeatMemory::whole_heat() const
 {
-  return whole(planes());
+  return {whole(planes()), whole(heat_.amended), heat_.motion};
 }
 
-void HeatMemory::set_whole_heat(std::span<const double> values)
+void HeatMemory::set_whole_heat(const WholeHeat& heat)
 {
-  require_size("HeatMemory::set_whole_heat: the heat", values, 2 * waves_.waves.size() * fft_.full_plane().plane());
-  const AlignedVector<Complex> planes = independent_rows_of(values);
+  const std::size_t all = 2 * fft_.full_plane().plane();
+  require_size("HeatMemory::set_whole_heat: the heat", heat.waves, waves_.waves.size() * all);
+  require_size("HeatMemory::set_whole_heat: the amended heat", heat.amended, heat.amended.empty() ? 0 : all);
+  const AlignedVector<Complex> planes = independent_rows_of(heat.waves);
+  heat_.amended = independent_rows_of(heat.amended);
+  heat_.motion = heat.motion;
+  if (!heat_.amended.empty())
+    plan_step(heat_.motion);
   const std::size_t waves = waves_.waves.size();
   sums_.reset();
   for (std::size_t w = 0; w < waves; ++w)
     for (int row = 0; row < fft_.rows(); ++row)
       for (std::size_t i = 0; i < columns(); ++i)
       {
-        ComplexLanes& value = heat_[(block_of(row) + i / lane_count) * waves + w];
+        ComplexLanes& value = heat_.waves[(block_of(row) + i / lane_count) * waves + w];
         const Complex& given = planes[w * fft_.plane() + begin_of(row) + i];
         value.re[i % lane_count] = given.real();
         value.im[i % lane_count] = given.imag();
@@ -71,7 +77,7 @@ void HeatMemory::set_whole_heat(std::span<const double> values)
 
 std::vector<double> HeatMemory::whole_heat_in_body() const
 {
-  return buried_ && !buried_->is_cold() ? whole(buried_->modes()) : std::vector<double>{};
+  return buried_ && !buried_->is_cold() ? whole(buried_->modes(fft_.plane())) : std::vector<double>{};
 }
 
 void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
@@ -80,7 +86,7 @@ void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
     return;
   require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
                values.empty() ? 0 : 2 * buried_->layers().size() * fft_.full_plane().plane());
-  buried_->set_modes(independent_rows_of(values));
+  buried_->set_modes(independent_rows_of(values), fft_.plane());
 }
 
 } // namespace brinell::halfspace

@@ -13,20 +13,6 @@ namespace brinell::halfspace
 namespace
 {
 
-/// Loads the first `count` values of a block; zero in the other lanes.
-ComplexLanes load_first(const Complex* from, std::size_t count)
-{
-  ComplexLanes value;
-  if (count == lane_count)
-    return load_lanes(from);
-  for (std::size_t lane = 0; lane < count; ++lane)
-  {
-    value.re[lane] = from[lane].real();
-    value.im[lane] = from[lane].imag();
-  }
-  return value;
-}
-
 void store_first(const ComplexLanes& value, std::size_t count, Complex* to)
 {
   if (count == lane_count)
@@ -56,6 +42,8 @@ void HeatMemory::set_heat(const Heat& heat)
 {
   heat_ = heat;
   sums_.reset();
+  if (!heat_.amended.empty())
+    plan_step(heat_.motion);
 }
 
 /// Decay and phase are stored, as most steps have the same motion as the one before.
@@ -63,7 +51,9 @@ void HeatMemory::plan_step(const HeatMotion& motion)
 {
   if (step_ && step_->motion == motion)
     return;
-  step_ = Step{motion, AlignedVector<StepOfBlock>(k_.size())};
+  step_ = Step{motion, AlignedVector<StepOfBlock>(k_.size()), {}, left_in_depth(motion.duration)};
+  for (const DepthWave& wave : waves_.waves)
+    step_->rates.push_back(diffusivity_ * wave.number * wave.number * motion.duration);
   for_rows(fft_.rows(), fft_.plane(),
            [&](int row)
            {
@@ -102,76 +92,170 @@ ComplexLanes gain_of(const Lanes& x, const Lanes& y, const ComplexLanes& left, b
           is_small ? -0.5 * y + square_im * (1.0 / 6.0) : (b * x - a * y) * inverse};
 }
 
-/// Heat of one wave in depth after a step, for neighbouring waves along the surface: remains * before + (1 - e^{-x})/x * in, with
-/// x = rate + z (see StepOfBlock).
-/// @param decays  whether the heat before decays in this step; otherwise all of it remains
-template <bool decays, typename Along>
-ComplexLanes after_step(const Along& along, const ComplexLanes& in, double rate, double left_in_depth,
-                        const ComplexLanes& before)
+/// (1 - e^{-x})/x of one wave in depth for neighbouring waves along the surface, with x = rate + z (see StepOfBlock): the heat
+/// after a step in which unit heat entered.
+template <typename Along>
+ComplexLanes gain(const Along& along, double rate, double left_in_depth)
 {
   constexpr double surely_large = 2e-3; // its square exceeds `small`, so that the series is not needed for any wave
-  const ComplexLanes gain =
-      gain_of(rate + along.rate, along.phase, {left_in_depth * along.left_re, left_in_depth * along.left_im},
-              rate < surely_large);
-  const Lanes remains = decays ? left_in_depth * along.left : Lanes{} + 1.0;
-  return {remains * before.re + gain.re * in.re - gain.im * in.im,
-          remains * before.im + gain.re * in.im + gain.im * in.re};
+  return gain_of(rate + along.rate, along.phase, {left_in_depth * along.left_re, left_in_depth * along.left_im},
+                 rate < surely_large);
+}
+
+ComplexLanes operator*(const ComplexLanes& a, const ComplexLanes& b)
+{
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
 } // namespace
 
+/// The heat that a flux brings to each wave in a step, if none decayed.
+AlignedVector<Complex> HeatMemory::heat_of(std::span<const double> flux, const HeatMotion& motion) const
+{
+  AlignedVector<Complex> heat = fft_.forward(flux);
+  const double scale = diffusivity_ / conductivity_ * motion.duration;
+  for (Complex& wave : heat)
+    wave *= scale;
+  return heat;
+}
+
+/// What is moved into `before` stays as it was, digit for digit, also where the next step has another motion.
 void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before)
 {
-  if (before == nullptr)
-    return step_from(heat_, flux, motion, true, true);
-  before->resize(heat_.size());
-  heat_.swap(*before);
-  step_from(*before, flux, motion, true, false);
+  if (before != nullptr)
+  {
+    before->waves.resize(heat_.waves.size());
+    std::swap(heat_, *before);
+  }
+  const Heat* from = before != nullptr ? before : &heat_;
+  if (!from->amended.empty() && motion != from->motion)
+  {
+    add_amended(*from);
+    from = &heat_;
+  }
+  plan_step(motion);
+  step_from(*from, heat_of(flux, motion));
+  heat_.amended.clear();
 }
 
 void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
 {
-  step_from(heat_, flux, motion, false, true);
+  if (!heat_.amended.empty()) // a second time: the sums are computed anew when they are needed
+    sums_.reset();
+  if (!heat_.amended.empty() && motion != heat_.motion)
+    add_amended(heat_);
+  plan_step(motion);
+  const AlignedVector<Complex> more = heat_of(flux, motion);
+  heat_.motion = motion;
+  heat_.amended.resize(more.size());
+  for (std::size_t i = 0; i < more.size(); ++i)
+    heat_.amended[i] += more[i];
+  if (!sums_)
+    return;
+  if (sums_->duration != motion.duration)
+    return sums_.reset();
+  if (!step_->response)
+    step_->response = find_response();
+  add_response(*step_->response, more, *sums_);
 }
 
-/// @param before        `heat_` itself, or the complete heat before the step
-/// @param sums_surface  whether the sums at the surface are computed as well, because the step is final
-void HeatMemory::step_from(const Heat& before, std::span<const double> flux, const HeatMotion& motion, bool decays,
-                           bool sums_surface)
+/// A step of the planned motion from `before`, which may be `heat_` itself: the heat decays, and new heat is added. What was amended
+/// in the step before had the same motion, so that both are added with the same factor.
+void HeatMemory::step_from(const Heat& before, const AlignedVector<Complex>& heat)
 {
-  const AlignedVector<Complex> spectrum = fft_.forward(flux);
-  const double scale = diffusivity_ / conductivity_ * motion.duration;
-  plan_step(motion);
   const std::size_t waves = waves_.waves.size();
-  const std::vector<double> left = left_in_depth(motion.duration);
-  std::vector<double> rates(waves);
-  for (std::size_t w = 0; w < waves; ++w)
-    rates[w] = diffusivity_ * std::pow(waves_.waves[w].number, 2) * motion.duration;
-  sums_.reset();
-  SurfaceWeights weights;
-  if (sums_surface)
-  {
-    sums_ = empty_sums(motion.duration);
-    weights = surface_weights(motion.duration);
-  }
+  sums_ = empty_sums(step_->motion.duration);
+  const SurfaceWeights weights = surface_weights(step_->motion.duration);
+  const bool has_amended = !before.amended.empty();
   const auto step_row = [&](int row)
   {
+    ComplexLanes* const of_row = heat_.waves.data() + block_of(row) * waves;
     for (std::size_t block = 0; block < blocks(); ++block)
     {
       const std::size_t number = block_of(row) + block, first = block * lane_count;
       const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
-      const ComplexLanes in = scale * load_first(spectrum.data() + begin_of(row) + first, count);
+      const ComplexLanes in = load_lanes(heat.data() + begin_of(row) + first, count);
+      const ComplexLanes amended =
+          has_amended ? load_lanes(before.amended.data() + begin_of(row) + first, count) : ComplexLanes{};
       const StepOfBlock along = step_->blocks[number];
-      const ComplexLanes* heat_before = before.data() + number * waves;
-      ComplexLanes* heat = heat_.data() + number * waves;
+      const ComplexLanes* heat_before = before.waves.data() + number * waves;
       for (std::size_t w = 0; w < waves; ++w)
-        heat[w] = decays ? after_step<true>(along, in, rates[w], left[w], heat_before[w])
-                         : after_step<false>(along, in, rates[w], left[w], heat_before[w]);
+      {
+        const Lanes remains = step_->left[w] * along.left;
+        of_row[block * waves + w] =
+            remains * heat_before[w] + gain(along, step_->rates[w], step_->left[w]) * (in + remains * amended);
+      }
     }
-    if (sums_surface) // while the row is in the cache
-      sum_row(row, weights, *sums_);
+    sum_row(row, of_row, weights, *sums_); // while the row is in the cache
   };
   for_rows(fft_.rows(), fft_.plane(), step_row);
+}
+
+/// The waves of a row with what was amended.
+void HeatMemory::fill_amended(int row, const Complex* amended, const ComplexLanes* before, ComplexLanes* heat) const
+{
+  const std::size_t waves = waves_.waves.size();
+  for (std::size_t block = 0; block < blocks(); ++block)
+  {
+    const std::size_t first = block * lane_count;
+    const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
+    const ComplexLanes in = load_lanes(amended + begin_of(row) + first, count);
+    const StepOfBlock along = step_->blocks[block_of(row) + block];
+    for (std::size_t w = 0; w < waves; ++w)
+    {
+      const ComplexLanes added = gain(along, step_->rates[w], step_->left[w]) * in;
+      heat[block * waves + w] = before != nullptr ? before[block * waves + w] + added : added;
+    }
+  }
+}
+
+/// All waves of a row.
+/// @param buffer  used if heat was amended
+const ComplexLanes* HeatMemory::heat_of_row(int row, RowOfHeat& buffer) const
+{
+  const ComplexLanes* waves = heat_.waves.data() + block_of(row) * waves_.waves.size();
+  if (heat_.amended.empty())
+    return waves;
+  buffer.resize(blocks() * waves_.waves.size());
+  fill_amended(row, heat_.amended.data(), waves, buffer.data());
+  return buffer.data();
+}
+
+/// Computes the waves of `from`, which may be `heat_` itself, with what was amended, before a step of another motion.
+void HeatMemory::add_amended(const Heat& from)
+{
+  for_rows(fft_.rows(), fft_.plane(),
+           [&](int row)
+           {
+             const std::size_t first = block_of(row) * waves_.waves.size();
+             fill_amended(row, from.amended.data(), from.waves.data() + first, heat_.waves.data() + first);
+           });
+  heat_.amended.clear();
+}
+
+/// Response of the sums to unit heat in each wave along the surface, in a step of the planned motion.
+HeatMemory::SurfaceSums HeatMemory::find_response() const
+{
+  SurfaceSums response = empty_sums(step_->motion.duration);
+  const SurfaceWeights weights = surface_weights(step_->motion.duration);
+  const AlignedVector<Complex> unit(fft_.plane(), Complex{1.0, 0.0});
+  for_rows(fft_.rows(), fft_.plane(),
+           [&](int row)
+           {
+             RowOfHeat heat(blocks() * waves_.waves.size());
+             fill_amended(row, unit.data(), nullptr, heat.data());
+             sum_row(row, heat.data(), weights, response);
+           });
+  return response;
+}
+
+/// Adds the response to the heat of each wave to the sums.
+void HeatMemory::add_response(const SurfaceSums& response, const AlignedVector<Complex>& heat, SurfaceSums& sums)
+{
+  for (const auto sum :
+       {&SurfaceSums::temperature, &SurfaceSums::potential, &SurfaceSums::potential_now, &SurfaceSums::slowest})
+    for (std::size_t i = 0; i < (sums.*sum).size() && i < heat.size(); ++i)
+      (sums.*sum)[i] += (response.*sum)[i] * heat[i];
 }
 
 HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
@@ -196,17 +280,18 @@ HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
 HeatMemory::SurfaceSums HeatMemory::empty_sums(double duration) const
 {
   const AlignedVector<Complex> plane(fft_.plane() + IndependentRowsFft::slack), none;
-  return {duration, plane, waves_.has_fields ? plane : none, waves_.has_fields ? plane : none};
+  const AlignedVector<Complex>& of_fields = waves_.has_fields ? plane : none;
+  return {duration, plane, of_fields, of_fields, of_fields};
 }
 
-void HeatMemory::sum_row(int row, const SurfaceWeights& weights, SurfaceSums& sums) const
+/// @param heat  of the row: [block][wave]
+void HeatMemory::sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights, SurfaceSums& sums) const
 {
   const std::size_t waves = waves_.waves.size();
-  for (std::size_t block = 0; block < blocks(); ++block)
+  for (std::size_t block = 0; block < blocks(); ++block, heat += waves)
   {
     const std::size_t number = block_of(row) + block, first = block * lane_count;
     const std::size_t count = std::min<std::size_t>(lane_count, columns() - first), to = begin_of(row) + first;
-    const ComplexLanes* heat = heat_of_block(number);
     const Lanes k2 = k_[number] * k_[number];
     ComplexLanes temperature, potential, potential_now;
     for (std::size_t w = weights.first_left; w < waves; ++w)
@@ -223,14 +308,28 @@ void HeatMemory::sum_row(int row, const SurfaceWeights& weights, SurfaceSums& su
     }
     store_first(potential, count, sums.potential.data() + to);
     store_first(potential_now, count, sums.potential_now.data() + to);
+    store_first(heat[waves - 1], count, sums.slowest.data() + to);
   }
 }
 
+/// After the duration of the amended step, what was amended is added to the sums of the rest as `amend` does, so that a run that
+/// goes on from a checkpoint gets the same digits.
 HeatMemory::SurfaceSums HeatMemory::find_sums(double duration) const
 {
   SurfaceSums sums = empty_sums(duration);
   const SurfaceWeights weights = surface_weights(duration);
-  for_rows(fft_.rows(), fft_.plane(), [&](int row) { sum_row(row, weights, sums); });
+  const bool adds_response = !heat_.amended.empty() && duration == heat_.motion.duration;
+  for_rows(fft_.rows(), fft_.plane(),
+           [&](int row)
+           {
+             RowOfHeat buffer;
+             sum_row(row,
+                     adds_response ? heat_.waves.data() + block_of(row) * waves_.waves.size()
+                                   : heat_of_row(row, buffer),
+                     weights, sums);
+           });
+  if (adds_response)
+    add_response(step_->response ? *step_->response : find_response(), heat_.amended, sums);
   return sums;
 }
 

@@ -24,20 +24,19 @@ double& RowsOfFour::at(std::size_t row, std::size_t column)
   return values_[(row / together * columns_ + column) * together + row % together];
 }
 
-void RowsOfFour::multiply(const double* in, std::size_t first, std::size_t last, double* out) const
+void RowsOfFour::multiply(const ComplexLanes* in, std::size_t first, std::size_t last, ComplexLanes* out) const
 {
   for (std::size_t row = 0; row < rows_; row += together)
   {
-    std::array<Lanes, together> sums{};
+    std::array<ComplexLanes, together> sums{};
     const double* values = values_.data() + row * columns_ + first * together;
     for (std::size_t column = first; column < last; ++column, values += together)
     {
-      const Lanes given = load_lanes(in + column * lane_count);
+      const ComplexLanes given = in[column];
       for (std::size_t r = 0; r < together; ++r)
-        sums[r] += values[r] * given;
+        sums[r] = sums[r] + values[r] * given;
     }
-    for (std::size_t r = 0; r < std::min(together, rows_ - row); ++r)
-      store_lanes(sums[r], lane_count, out + (row + r) * lane_count);
+    std::copy_n(sums.begin(), std::min(together, rows_ - row), out + row);
   }
 }
 

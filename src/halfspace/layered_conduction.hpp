@@ -2,6 +2,7 @@
 #pragma once
 
 #include "foundation/aligned.hpp"
+#include "foundation/lanes.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -18,8 +19,8 @@ public:
   static constexpr std::size_t together = 4;
   RowsOfFour(std::size_t rows, std::size_t columns);
   [[nodiscard]] double& at(std::size_t row, std::size_t column);
-  /// Multiplies `lane_count` vectors at once: [row][lane] from [column][lane]; only the columns first <= column < last are used.
-  void multiply(const double* in, std::size_t first, std::size_t last, double* out) const;
+  /// Multiplies `lane_count` vectors at once: [row] from [column]; only the columns first <= column < last are used.
+  void multiply(const ComplexLanes* in, std::size_t first, std::size_t last, ComplexLanes* out) const;
   [[nodiscard]] std::size_t rows() const { return rows_; }
 
 private:

@@ -30,10 +30,14 @@ void OpenHeatMemory::exchange(Archive& archive)
   int n = 0;
   for (HeatMemory* memory : lattices())
   {
-    std::vector<double> values = memory->whole_heat();
-    archive(fmt::format("lattice{}", n), values);
+    HeatMemory::WholeHeat heat = memory->whole_heat();
+    archive(fmt::format("lattice{}", n), heat.waves);
+    archive.list(fmt::format("amended{}", n), heat.amended);
+    archive(fmt::format("duration{}", n), heat.motion.duration, 0.0, times_.duration);
+    archive(fmt::format("velocity_x{}", n), heat.motion.velocity_x);
+    archive(fmt::format("velocity_y{}", n), heat.motion.velocity_y);
     if (archive.gives())
-      memory->set_whole_heat(values);
+      memory->set_whole_heat(heat);
     if (layers_)
     {
       std::vector<double> in_body = memory->whole_heat_in_body();

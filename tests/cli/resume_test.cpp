@@ -46,6 +46,15 @@ std::string scenario_case(const std::string& scenario)
     return replaced("scenario = \"indentation\"\n[indentation]\nload = [\"60 N\", 0]\nsteps = 12\n" +
                         std::string(bodies),
                     "resolution = 3", "resolution = 4\nextent = 0.5");
+  if (scenario == "heated") // by friction and by plastic work
+  {
+    const std::string steel = "poisson_ratio = 0.3, thermal = {conductivity = \"50 W/(m K)\", density = 7800, "
+                              "specific_heat = 470, expansion = 12e-6}";
+    std::string spheres = replaced(bodies, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\"");
+    spheres = replaced(replaced(spheres, "poisson_ratio = 0.3,", steel + ","), "poisson_ratio = 0.3}", steel + "}");
+    return "scenario = \"tugging\"\n[tugging]\ninterference = 6\npasses = 2\nspeed = \"1 m/s\"\n" +
+           replaced(spheres, "[grid]", "[interface]\nfriction = 0.3\n[grid]");
+  }
   const std::string drive = scenario == "loaded" ? "load = 8" : "interference = 4";
   const std::string text = "scenario = \"tugging\"\n[tugging]\n" + drive + "\npasses = 2\n" + std::string(bodies);
   return replaced(text, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\"");
@@ -162,7 +171,7 @@ TEST_P(Resume, OnlyTheSameCaseThatIsNotComplete)
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Resume,
-                         testing::Values("tugging", "loaded", "indentation", "rolling", "sliding", "growing"),
+                         testing::Values("tugging", "loaded", "indentation", "rolling", "sliding", "growing", "heated"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 class ResumeEveryScenario : public Stopping, public testing::WithParamInterface<std::string>

@@ -126,6 +126,42 @@ TEST(Heat, GridsThatGrowKeepTheHeat)
   EXPECT_NEAR((grown.summary.max_temperature[0] - 20.0) / (ample.summary.max_temperature[0] - 20.0), 1.0, 2e-3);
 }
 
+/// By thermal stress the outermost rows flow in a few cells, but nothing flows beyond: the results are those of larger grids.
+TEST(Heat, AZoneThatEndsInTheOutermostRowsNeedsNoLargerGrids)
+{
+  if (slow_build)
+    GTEST_SKIP() << "needs the paper's mesh: too slow in this build";
+  TuggingCase t = paper_case(9.0);
+  for (simulation::ShapedBody* body : {&t.lower, &t.upper})
+    body->material.thermal = steel;
+  t.friction.coefficient = 0.1;
+  t.heat.of_plastic_work = 0.0;
+  t.speed = 0.01;
+  const TuggingRun planned = computed(t);
+  t.extent = 1.2; // one more row on either side, more columns and layers
+  const TuggingRun ample = computed(t);
+  EXPECT_TRUE(planned.summary.grid_changes.empty());
+  EXPECT_TRUE(ample.summary.grid_changes.empty());
+  const simulation::BodySnapshot& body = planned.summary.final_state.lower;
+  const SurfaceGrid& surface = body.grid.surface;
+  double at_side = 0.0;
+  for (int k = 0; k < body.grid.nz; ++k)
+    for (int i = 0; i < surface.nx; ++i)
+      at_side = std::max(at_side, body.equivalent_plastic_strain[body.grid.index(i, 0, k)]);
+  EXPECT_GT(at_side, 0.005 * planned.summary.max_equivalent_plastic_strain);
+  const auto expect_same = [](const char* what, double a, double b, double allowed)
+  {
+    test::expect_close(std::string("zone that ends in the outermost rows: ") + what + " over that on larger grids",
+                       a / b, 1.0, allowed, "larger grids, in whose outermost rows nothing flows");
+  };
+  const simulation::TuggingSummary &a = planned.summary, &b = ample.summary;
+  expect_same("peak F_X", a.peak_F_X, b.peak_F_X, 1e-5);
+  expect_same("dissipation", a.dissipation_lower, b.dissipation_lower, 1e-4);
+  expect_same("dent", a.max_residual_lower, b.max_residual_lower, 1e-4);
+  expect_same("largest plastic strain", a.max_equivalent_plastic_strain, b.max_equivalent_plastic_strain, 5e-4);
+  expect_same("largest temperature", a.max_temperature[0], b.max_temperature[0], 1e-4);
+}
+
 /// The heat stays on the grids that it began on: a run that is taken up makes these again.
 TEST(Heat, ARunWhoseGridsGrewIsTakenUp)
 {

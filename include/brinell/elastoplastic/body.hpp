@@ -170,7 +170,12 @@ private:
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const;
   void find_displacement_x();
-  [[nodiscard]] double work_of(std::span<const double> stress_deviator, std::span<const double> strain) const;
+  /// At the end of the current increment; empty without heat.
+  [[nodiscard]] const std::vector<double>& thermal_stress() const
+  {
+    return has_own_thermal_stress_ ? thermal_stress_ : state_.thermal_stress;
+  }
+  [[nodiscard]] double work_of_thermal_stress(const PlasticZone& zone) const;
   [[nodiscard]] double thermal_work_of_trial() const;
   void prepare_trial();
   void recover_guess();
@@ -203,6 +208,9 @@ private:
   void find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
                          double fraction, std::vector<std::size_t>& found) const;
   void collect_active(const std::vector<double>& q_field, int shift, double fraction);
+  [[nodiscard]] double equivalent_of_active(std::size_t a) const;
+  [[nodiscard]] bool extends_beyond(const std::vector<std::size_t>& cells, std::size_t apart, int places,
+                                    double largest) const;
   [[nodiscard]] bool may_yield_below() const;
   [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const;
   [[nodiscard]] PlasticZone zone_of_trial() const;
@@ -225,8 +233,9 @@ private:
   PlasticZone zone_;                                  ///< of the state
   std::vector<double> yield_factor_, initial_stress_; ///< of the layers
   std::vector<double> softening_;                     ///< at the end of the current increment; empty: none
-  std::vector<double> thermal_stress_;                ///< at the end of the current increment; empty without heat
-  double stiffness_ = 0.0;                            ///< c [Pa]
+  std::vector<double> thermal_stress_;  ///< at the end of the current increment, if it is `has_own_thermal_stress_`
+  bool has_own_thermal_stress_ = false; ///< otherwise that of the state stays
+  double stiffness_ = 0.0;              ///< c [Pa]
   bool shortcuts_;
   Symmetry symmetry_;
   int layers_; ///< layers whose stress is computed, from the surface
