@@ -61,8 +61,8 @@ class Interface(_Table):
 
     Attributes:
         friction: friction coefficient, shear over pressure [-].
-        shear_limit: largest shear that the interface can transmit [Pa]; None: the shear yield stress of the softer
-            body.
+        shear_limit: largest shear that the interface can transmit [Pa], for instance a film; a surface never carries
+            more than its current shear yield stress.
         coupling: whether the shear changes the gap if the two materials differ.
         heat_fraction: fraction of the friction power that heats bodies with thermal constants [-].
         wear: wear of the surfaces where they slip, `brinell.Wear` or a dictionary; in sliding, rolling and fretting.

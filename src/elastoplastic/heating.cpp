@@ -79,6 +79,7 @@ struct Heating::State
   }
   [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
   void add_heat_without_flux(double heat);
+  [[nodiscard]] bool is_parted(std::span<const double> pressure) const;
   [[nodiscard]] BothResponses& combined_response();
   [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
   [[nodiscard]] std::vector<double> exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
@@ -208,6 +209,13 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
   return flux;
 }
 
+/// Whether the surfaces have been lifted off each other, without sliding, by the end of the increment. Such an increment may
+/// include the way back to the start of the track, during which no heat passes between them.
+bool Heating::State::is_parted(std::span<const double> pressure) const
+{
+  return slid == 0.0 && std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0.0; });
+}
+
 /// Partitions the heat between the bodies and sets their fluxes.
 /// @param heat  flux of heat into both bodies together [W/m^2]
 /// @returns the largest change of the thermal displacement, summed over both sides [m]
@@ -217,7 +225,7 @@ double Heating::State::share_flux(const std::vector<double>& heat, std::span<con
   std::vector<double> into_lower(heat.size());
   if (!upper.conducts())
     into_lower = heat;
-  else if (lower.conducts() && settings.exchanges())
+  else if (lower.conducts() && settings.exchanges() && !is_parted(pressure))
     into_lower = exchanged_flux(heat, pressure, sharing);
   else if (lower.conducts())
     std::transform(heat.begin(), heat.end(), into_lower.begin(), [&](double q) { return settings.share() * q; });

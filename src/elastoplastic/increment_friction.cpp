@@ -48,15 +48,13 @@ const PartialSlip* CoupledContact::partial_slip() const
   return dynamic_cast<const PartialSlip*>(interface_.get());
 }
 
-/// Largest shear that each cell of the contact can carry with the hardening of the present trial, for a direction of the shear on
-/// the lower body [Pa].
+/// Largest shear that each cell of the contact can carry, the given limit or the strength of the softer surface with the hardening
+/// of the present trial if that is less, for a direction of the shear on the lower body [Pa].
 std::vector<double> CoupledContact::shear_limit(const Placement& placement,
                                                 const std::array<double, 2>& direction) const
 {
-  const std::optional<double>& given = interface_->friction().shear_limit;
-  std::vector<double> limit(grid().size(), given.value_or(std::numeric_limits<double>::infinity()));
-  if (given)
-    return limit;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> limit(grid().size(), interface_->friction().shear_limit.value_or(none));
   const auto& [x, y] = direction;
   if (const BodyView body = lower(); body.material().is_plastic())
     limit_to_strength(body.grid().surface, body.shear_strength(x, y), placement.lower, grid(), limit);
@@ -163,7 +161,7 @@ double CoupledContact::tolerance_of_gap() const
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,
                                               const Strategy& strategy, bool closing, IncrementReport& report)
 {
-  if (!strategy.watch_energy && !strategy.keeps_shear_limit && !interface_->friction().shear_limit)
+  if (!strategy.watch_energy && !strategy.keeps_shear_limit)
     interface_->set_limit(shear_limit(placement, driven_along_));
   constexpr int max_turns = 60;
   const double tolerance = tolerance_of_gap();

@@ -29,6 +29,15 @@ constexpr double largest_limited_share = 0.05; ///< of the contact at its shear 
 
 } // namespace
 
+double smallest_yield_stress(const Facts& facts)
+{
+  double yield = std::numeric_limits<double>::infinity();
+  for (const constitutive::Material* material : facts.materials)
+    if (material->is_plastic())
+      yield = std::min(yield, constitutive::initial_yield_stress(*material->hardening));
+  return yield;
+}
+
 bool flows_at_surface(const Facts& facts, const RunTotals& totals)
 {
   return facts.limited_by_strength && totals.max_share_at_shear_limit > largest_limited_share;
@@ -40,10 +49,7 @@ double estimated_share_at_limit(const Facts& facts)
   constexpr double hardness = 2.8;
   if (!facts.limited_by_strength || !facts.slides)
     return 0.0;
-  double yield = std::numeric_limits<double>::infinity();
-  for (const constitutive::Material* material : facts.materials)
-    if (material->is_plastic())
-      yield = std::min(yield, constitutive::initial_yield_stress(*material->hardening));
+  const double yield = smallest_yield_stress(facts);
   const double most = facts.friction * std::min(facts.peak_pressure, hardness * yield);
   const double limit = yield / std::sqrt(3.0);
   // A pressure p0 sqrt(1 - r^2/a^2) exceeds p within the radius sqrt(1 - p^2/p0^2) a.

@@ -105,5 +105,23 @@ TEST(SlipHeat, ShearStretchesTheSurfacesOfASkiddingBall)
     }
 }
 
+// The step that lifts the ball includes its way back, during which no heat passes through the gap: only the heat that the surfaces
+// make as they part is added, whatever the difference of their temperatures.
+TEST(SlipHeat, PartedSurfacesExchangeNothingOnTheWayBack)
+{
+  RollingCase c = skidding(1.0, 4.0);
+  c.heat.partition.reset();
+  c.heat.regime = HeatRegime::transient;
+  c.upper.material.temperature = c.lower.material.temperature + 100.0;
+  const RollingRun run = computed(c);
+  const auto& lifted = run.history.back();
+  const auto& before = run.history[run.history.size() - 2];
+  EXPECT_LT(before.heat_upper, -1e-3 * lifted.dissipation_friction) << "the hot ball loses heat while it touches";
+  // Both take halves of what friction leaves in the last step.
+  const double last = lifted.dissipation_friction - before.dissipation_friction;
+  EXPECT_NEAR(lifted.heat_upper - before.heat_upper, 0.5 * last, 1e-9 * std::abs(before.heat_upper));
+  EXPECT_NEAR(lifted.heat_lower - before.heat_lower, 0.5 * last, 1e-9 * std::abs(before.heat_upper));
+}
+
 } // namespace
 } // namespace brinell::verification

@@ -18,7 +18,7 @@ struct Friction
 {
   double coefficient = 0.0; ///< shear over pressure, >= 0; 0: none
   std::optional<double>
-      shear_limit{}; ///< largest shear that a surface can carry [Pa], > 0; none: the shear strength of the softer body
+      shear_limit{}; ///< largest shear of the interface [Pa], > 0; never more than the shear strength of the softer surface
   /// Whether the shear changes the gap where the elastic constants differ.
   bool coupling = true;
 

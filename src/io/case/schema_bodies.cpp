@@ -180,8 +180,11 @@ Entries texture_entries(const std::string& table)
        map_entries(table), wave_entries(table), random_entries(table),
        in_table(
            table, {},
-           {centre("x",
-                   "Position of the centre on the body's surface along x; for a sinusoid the position of a crest."),
+           {centre(
+                "x",
+                "Position of the centre on the body's surface along x; for a sinusoid the position of a crest, for a "
+                "periodic map with an even number of columns that of the column after the middle, which then lies on a "
+                "column of cells."),
             centre("y",
                    "Position of the centre on the body's surface along y; for a sinusoid the position of a crest.")})});
   for (Entry& entry : entries)

@@ -42,11 +42,14 @@ std::vector<Entry> friction_entries()
                  "other than 0 or creepage, and it does not act while the upper body is pressed on or lifted off. In "
                  "fretting, and in rolling with creepage, the surfaces stick where less shear is enough."},
             &Friction::coefficient),
-      entry({.key = "interface.shear_limit",
-             .of = kind::pressure.above(0.0),
-             .unset = "the current shear yield stress of the softer surface, including hardening",
-             .text = "Largest shear that a surface can carry."},
-            &Friction::shear_limit),
+      entry(
+          {.key = "interface.shear_limit",
+           .of = kind::pressure.above(0.0),
+           .unset = "the current shear yield stress of the softer surface, including hardening",
+           .text =
+               "Largest shear of the interface, for instance of a film. A surface never carries more than its current "
+               "shear yield stress."},
+          &Friction::shear_limit),
       entry({.key = "interface.coupling",
              .text = "Whether the shear changes the gap, as it does if the elastic constants of the two materials "
                      "differ. false: this effect is neglected, as if both surfaces moved equally."},

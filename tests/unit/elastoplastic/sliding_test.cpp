@@ -201,8 +201,8 @@ void expect_shear_at_limit(const SpherePress& press, const PressOptions& options
 
 TEST(SlidingTest, SurfaceCarriesNoMoreThanItsLimit)
 {
-  // As given; or the shear yield stress of the softer surface, with the hardening of the same increment. Where the shear is at
-  // this limit, it is the strength that the softer of both surfaces has at the end.
+  // As given; or, if that is less, the shear yield stress of the softer surface, with the hardening of the same increment. Where
+  // the shear is at this limit, it is the strength that the softer of both surfaces has at the end.
   PressOptions options;
   options.friction.coefficient = 0.5;
   options.friction.shear_limit = 0.2e9;
@@ -216,6 +216,11 @@ TEST(SlidingTest, SurfaceCarriesNoMoreThanItsLimit)
   options.hardening_modulus = 20e9;
   SpherePress own(options);
   ASSERT_TRUE(own.press(4.0).converged);
+  options.friction.shear_limit = 10.0 * SpherePress::yield_stress;
+  SpherePress far(options);
+  ASSERT_TRUE(far.press(4.0).converged);
+  EXPECT_EQ(highest(far), highest(own)) << "a limit beyond the strength is none";
+  options.friction.shear_limit.reset();
   EXPECT_GT(highest(own), 1.0001 * SpherePress::yield_stress / std::sqrt(3.0)); // it has hardened
   expect_shear_at_limit(own, options);
 

@@ -234,6 +234,9 @@ TEST(Quality, SurfacesAtTheirShearStrength)
   EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty()) << "the tables are for less shear";
   c.friction.shear_limit = 1e8;
   EXPECT_EQ(after(c, t), Keys{}) << "a film below the strength of the surface";
+  c.friction.shear_limit = 1e9;
+  EXPECT_EQ(after(c, t), Keys{"surface_flow"}) << "a film that is stronger than the surface";
+  EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty());
 }
 
 TEST(Quality, SurfacesExpectedAtTheirShearStrength)
@@ -265,6 +268,8 @@ TEST(Quality, SurfacesExpectedAtTheirShearStrength)
   EXPECT_EQ(before(c), Keys{"surface_flow"});
   c.friction.shear_limit = 1e8;
   EXPECT_EQ(before(c), Keys{}) << "a film below the strength of the surface";
+  c.friction.shear_limit = 1e9;
+  EXPECT_EQ(before(c), Keys{"surface_flow"}) << "a film that is stronger than the surface";
   c.friction.shear_limit.reset();
   c.slide_to_roll = 0.0;
   c.creepage = Creepage{1e-4, 0.0, 0.0};
