@@ -11,6 +11,7 @@
 #include "brinell/elastoplastic/wear.hpp"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -227,6 +228,7 @@ private:
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
+  [[nodiscard]] std::ptrdiff_t windows() const;
   [[nodiscard]] double integrate(Integration integration);
   [[nodiscard]] bool update(IncrementReport& report);
   [[nodiscard]] bool is_within(double factor, const IncrementReport& report) const;

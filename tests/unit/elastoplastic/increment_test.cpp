@@ -75,6 +75,21 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
   }
 }
 
+TEST(IncrementTest, TheContactDoesNotHoldUpTightTolerances)
+{
+  // Whatever the contact leaves unsolved changes from evaluation to evaluation: with the default tolerance of the contact it would
+  // be as large as these tolerances of yield and displacement.
+  for (const double tolerance : {1e-7, 1e-8, 1e-9})
+  {
+    PressOptions options;
+    options.settings.yield_tolerance = options.settings.displacement_tolerance = tolerance;
+    SpherePress press(options);
+    const IncrementReport report = press.press(6.0);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LE(report.gap_error, 1e-3 * tolerance * 6.0 * SpherePress::alpha_c);
+  }
+}
+
 TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
 {
   // By the trapezoidal rule from just below first yield, where all is elastic: its error is of second order in the step,
