@@ -174,7 +174,8 @@ class CoupledContact:
             yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
             displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to
                 `scale` [-].
-            contact_tolerance: largest gap under pressure, relative to `scale` [-].
+            contact_tolerance: largest gap under pressure, relative to `scale` [-]. At most a thousandth of
+                `yield_tolerance` and a hundredth of `displacement_tolerance` is used, or 1e-12 if that is more.
             twin: for two equal bodies, of which only the lower one is solved: "mirror_image" gives the upper body the
                 fields of the lower one mirrored in x (asperities that pass each other), "alike" the same fields
                 (rolling). "none": both bodies are solved.

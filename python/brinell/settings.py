@@ -159,7 +159,8 @@ class Solver(_Table):
         yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
         displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to the
             approach at first yield [-].
-        contact_tolerance: largest gap under pressure, relative to the largest approach [-].
+        contact_tolerance: largest gap under pressure, relative to the largest approach [-]. At most a thousandth of
+            `yield_tolerance` and a hundredth of `displacement_tolerance` is used, or 1e-12 if that is more.
         max_evaluations: largest number of evaluations of an increment before it is split.
         anderson_depth: number of earlier iterates in the Anderson acceleration; 0: plain fixed-point iteration.
         integration: time integration of the plastic strain in a step, "path" or "backward_euler".

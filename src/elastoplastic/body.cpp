@@ -167,6 +167,11 @@ void Body::restore()
 void Body::compute_all_layers()
 {
   layers_ = grid().nz;
+  leave_window();
+}
+
+void Body::leave_window()
+{
   windowed_ = false;
   wants_all_cells_ = true;
 }

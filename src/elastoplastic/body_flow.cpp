@@ -250,21 +250,23 @@ Lanes Body::ActiveLanes::map(const Law& law, const LaneCells& at) const
   const Lanes yield = yield_stresses(law, at, before + equivalent);
   const auto is_plastic = equivalent > zero || !(size <= yield); // negated, so that NaN counts as plastic
   // A cell that stays elastic does not influence the others and must not influence the acceleration: its trial is set to g, so
-  // that its residual is zero.
+  // that its residual is zero. A cell that is about to flow has the nearest stress of the yield surface as its trial: its strain
+  // is still zero, and its residual is the excess of the stress (put_on_yield_surface).
   if (!any(is_plastic))
   {
     store_packed(g, packed.trials, at);
     return zero;
   }
   LaneDeviators trial = load_packed(packed.trials, at);
-  const Lanes error = von_mises(g - trial) / yield;
-  if (any(!is_plastic))
+  const auto flows = equivalent > zero;
+  if (any(!flows))
   {
+    const Lanes excess = is_plastic ? 1.0 - yield / size : zero;
     for (std::size_t c = 0; c < g.size(); ++c)
-      trial[c] = is_plastic ? trial[c] : g[c];
+      trial[c] = flows ? trial[c] : g[c] - excess * from_centre[c];
     store_packed(trial, packed.trials, at);
   }
-  return is_plastic ? error : zero;
+  return von_mises(g - trial) / yield;
 }
 
 template <typename Law>
@@ -283,6 +285,27 @@ double Body::map_trials(const Law& law)
   return error;
 }
 
+/// Moves the trials of the active cells from `first` on, which have not been evaluated yet, to the nearest stress of the yield
+/// surface. Without plastic strain this is the stress of the material law; g - q, the excess of the stress over it, is then the
+/// residual that belongs to the evaluation that found the cells. A trial of g would have no residual there but one in the next
+/// evaluation, at the same trial, and the difference of the two would mislead the acceleration.
+void Body::put_on_yield_surface(std::size_t first)
+{
+  std::visit(
+      [&](const auto& law)
+      {
+        for (std::size_t a = first; a < active_.size(); ++a)
+        {
+          const std::size_t cell = active_.cell(a);
+          const Deviator from_centre = active_.mapped(a) - centre(cell);
+          const double yield = law_at(law, cell).yield_stress_at(state_.equivalent[cell]);
+          const double excess = std::max(0.0, 1.0 - yield / von_mises(from_centre));
+          active_.set_trial(a, active_.mapped(a) - excess * from_centre);
+        }
+      },
+      *material_.hardening);
+}
+
 bool Body::update(const halfspace::SurfaceLoad& load)
 {
   if (!is_plastic())
@@ -297,6 +320,7 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   if (active_.size() == before)
     return false;
   include_new_cells(before);
+  put_on_yield_surface(before);
   return true;
 }
 

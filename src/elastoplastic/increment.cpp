@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <omp.h>
+#include <utility>
 
 /// One increment, from its start to its commit.
 namespace brinell::elastoplastic
@@ -59,6 +60,10 @@ private:
 /// Ratio of errors to tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
 
+/// Ratio of errors to tolerances below which evaluations are no longer restricted to a window: the error of a window is about as
+/// large, so that more evaluations of it would gain nothing.
+constexpr double window_factor = 20.0;
+
 /// Ratio of errors to tolerances at which the plastic zone is known well enough to decide whether it extends beyond the ends or
 /// sides of a grid. If it does, the increment is repeated on a larger grid without converging first.
 constexpr double edge_check_factor = 50.0;
@@ -66,16 +71,6 @@ constexpr double edge_check_factor = 50.0;
 /// Range of the yield error in which trials may go further than their residual (Body::go_further): at larger errors they would
 /// overshoot, and at smaller ones the plain combination is as good.
 constexpr double near = 0.02, nearest = 1e-4;
-
-/// With tolerances much smaller than the default ones trials do not go further, because increments have failed to converge that
-/// way.
-bool may_go_further(const Settings& settings)
-{
-  constexpr double share = 0.1;
-  const Settings usual;
-  return settings.yield_tolerance >= share * usual.yield_tolerance &&
-         settings.displacement_tolerance >= share * usual.displacement_tolerance;
-}
 
 /// Whether the work of two bodies is so similar that a thread for each of them is done sooner than two threads that share both in
 /// turn: sharing makes two threads some 1.4 times as fast as one.
@@ -137,6 +132,12 @@ bool CoupledContact::update(IncrementReport& report)
   for (const Side& side : sides_)
     report.yield_error = larger(report.yield_error, side.body.yield_error());
   return grew[0] || grew[1];
+}
+
+/// Number of bodies of which the last evaluation computed a window.
+std::ptrdiff_t CoupledContact::windows() const
+{
+  return std::count_if(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.was_windowed(); });
 }
 
 /// Whether the errors of the fixed point are within `factor` times their tolerances.
@@ -220,7 +221,8 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   EnergyWatch energy_watch;
   // The increment may only end with an evaluation that computed the stress in all cells; near convergence all evaluations do.
   bool closing = strategy.watch_energy || !has_unknowns();
-  bool was_complete = false, has_checked_edges = false;
+  bool leaves_window = false, has_checked_edges = false;
+  std::ptrdiff_t windows_now = 0;
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
@@ -228,6 +230,8 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     for (Side& side : sides_)
       if (closing)
         side.body.compute_all_layers();
+      else if (leaves_window)
+        side.body.leave_window();
     report.displacement_error = integrate(strategy.integration);
     const bool complete =
         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.computes_all_layers(); });
@@ -253,14 +257,16 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       if (renewed)
         energy_watch.begin_anew(report.evaluations);
     }
+    const std::ptrdiff_t windows_before = std::exchange(windows_now, windows());
+    const bool changes_map = windows_now < windows_before;
     const bool stalls = !strategy.watch_energy && strategy.anderson_depth > 0 &&
-                        stall_rule.stalls(report.yield_error, grew || report.evaluations == 1);
+                        stall_rule.stalls(report.yield_error, grew || changes_map || report.evaluations == 1);
     if (report.energy_rose || stalls)
       return report;
     closing = strategy.watch_energy || is_within(closing_factor, report);
+    leaves_window = is_within(window_factor, report);
     const bool is_near = report.yield_error <= near && report.yield_error >= nearest;
-    acceleration.advance(sides_, complete && !was_complete, is_near && may_go_further(settings_));
-    was_complete = complete;
+    acceleration.advance(sides_, changes_map, is_near);
   }
 }
 

@@ -114,7 +114,7 @@ void CoupledContact::begin_friction(const Placement& placement, const Strategy& 
                                    .limit = std::move(limit),
                                    .bodies = bodies,
                                    .holds_law = strategy.watch_energy,
-                                   .tolerance = settings_.contact_tolerance * scales_.gap,
+                                   .tolerance = settings_.tolerance_of_contact() * scales_.gap,
                                    .approach = scales_.gap,
                                    .wants_stop = strategy.wants_stop});
               });
@@ -150,7 +150,7 @@ bool CoupledContact::carries_off(const Placement& placement) const
 /// Tolerance of the contact solver: largest gap under pressure, and largest overlap elsewhere [m].
 double CoupledContact::tolerance_of_gap() const
 {
-  const double usual = settings_.contact_tolerance * scales_.gap;
+  const double usual = settings_.tolerance_of_contact() * scales_.gap;
   return interface_ ? interface_->tolerance_of_gap(usual) : usual;
 }
 

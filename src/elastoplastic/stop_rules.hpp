@@ -11,11 +11,12 @@ namespace brinell::elastoplastic
 class StallRule
 {
 public:
-  /// @param grew  whether cells have become active: the count starts again
+  /// @param is_new  whether earlier errors are those of another problem, as cells have become active or a window was left: the
+  ///                count starts again
   /// @returns whether the error has not halved within the last `patience` evaluations
-  bool stalls(double error, bool grew)
+  bool stalls(double error, bool is_new)
   {
-    if (grew)
+    if (is_new)
       *this = {};
     else if (error < 0.5 * best_)
     {

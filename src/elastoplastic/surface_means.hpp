@@ -31,10 +31,12 @@ public:
   [[nodiscard]] double contracted(std::size_t cell, const Deviator& with) const;
 
 private:
-  void average_along(std::size_t first, std::size_t stride, int count, int half, bool is_periodic);
+  void average_along_x(double* row);
+  void average_along_y(double* layer);
 
   SurfaceGrid surface_;
   std::array<std::vector<double>, 2> fields_; ///< xz, yz
+  std::vector<char> has_values_;              ///< per row of these layers
   std::vector<double> sums_;
 };
 

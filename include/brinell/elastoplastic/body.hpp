@@ -103,6 +103,10 @@ public:
   /// Makes the next evaluation compute the stress in all cells; without windows all later evaluations do so too, until new cells
   /// become active. An increment may only be committed after an evaluation of all cells that found no new active cell.
   void compute_all_layers();
+  /// Makes all later evaluations of the increment compute all columns.
+  void leave_window();
+  /// Whether the last evaluation was restricted to a window.
+  [[nodiscard]] bool was_windowed() const { return was_windowed_; }
   /// Number of cells whose stress the last evaluation computed, a measure of the time that it took.
   [[nodiscard]] double cost() const;
   /// Valid after `integrate`: whether the current evaluation computes the stress in all cells.
@@ -203,6 +207,7 @@ private:
   void flow_of(const Law& law, Integration integration);
   template <typename Law>
   [[nodiscard]] double map_trials(const Law& law);
+  void put_on_yield_surface(std::size_t first);
   void sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const;
   template <typename Law>
   void find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,

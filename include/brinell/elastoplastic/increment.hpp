@@ -11,6 +11,7 @@
 #include "brinell/elastoplastic/wear.hpp"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -227,6 +228,7 @@ private:
   [[nodiscard]] IncrementReport iterate(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy);
   [[nodiscard]] bool has_unknowns() const;
+  [[nodiscard]] std::ptrdiff_t windows() const;
   template <typename Work>
   void on_sides(const Work& work);
   [[nodiscard]] double integrate(Integration integration);

@@ -3,6 +3,8 @@
 
 #include "brinell/constitutive/flow.hpp"
 
+#include <algorithm>
+
 namespace brinell::elastoplastic
 {
 
@@ -28,6 +30,18 @@ struct Settings
   /// With short cuts, on a body longer than what an increment changes: until the increment is nearly solved, compute only the columns of
   /// the active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
   bool windows = true;
+
+  /// Complementarity to which contacts are solved. With smaller tolerances of yield and displacement than the default ones it is
+  /// smaller than `contact_tolerance`: what the contact leaves unsolved changes from evaluation to evaluation, so that it must
+  /// stay well below the errors that end an increment. docs/theory/elastoplastic.md
+  [[nodiscard]] double tolerance_of_contact() const
+  {
+    constexpr double share_of_yield = 1e-3, share_of_displacement = 1e-2; // of the default tolerances
+    constexpr double rounding = 1e-12;
+    const double needed =
+        std::max(rounding, std::min(share_of_yield * yield_tolerance, share_of_displacement * displacement_tolerance));
+    return std::min(contact_tolerance, needed);
+  }
 };
 
 } // namespace brinell::elastoplastic

@@ -115,8 +115,10 @@ std::vector<Entry> solver_entries()
       entry("displacement_tolerance", &Settings::displacement_tolerance, kind::number.inside(0.0, 0.1),
             "Largest change of the residual displacement in the last evaluation, relative to the approach at first "
             "yield."),
-      entry("contact_tolerance", &Settings::contact_tolerance, kind::number.inside(0.0, 0.1),
-            "Complementarity of the contact: largest gap under pressure, relative to the largest approach."),
+      entry(
+          "contact_tolerance", &Settings::contact_tolerance, kind::number.inside(0.0, 0.1),
+          "Complementarity of the contact: largest gap under pressure, relative to the largest approach. At most a "
+          "thousandth of yield_tolerance and a hundredth of displacement_tolerance is used, or 1e-12 if that is more."),
       entry(
           "max_evaluations", &Settings::max_evaluations, kind::number.between(1, 100000),
           "Largest number of evaluations of an increment before it is split; with friction it is multiplied by four."),

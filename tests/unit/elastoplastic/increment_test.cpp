@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One increment of two elastic-plastic bodies: the conditions its result must meet.
+#include "elastoplastic/stop_rules.hpp"
 #include "sphere_press.hpp"
 #include "state_comparison.hpp"
 
@@ -73,6 +74,38 @@ TEST(IncrementTest, ConvergedStateIsAdmissibleAndBalanced)
     }
     EXPECT_GT(largest(press.contact().lower().state().equivalent), 1e-3); // the press did yield
   }
+}
+
+TEST(IncrementTest, TheContactDoesNotHoldUpTightTolerances)
+{
+  // Whatever the contact leaves unsolved changes from evaluation to evaluation: with the default tolerance of the contact it would
+  // be as large as these tolerances of yield and displacement.
+  for (const double tolerance : {1e-7, 1e-8, 1e-9})
+  {
+    PressOptions options;
+    options.settings.yield_tolerance = options.settings.displacement_tolerance = tolerance;
+    SpherePress press(options);
+    const IncrementReport report = press.press(6.0);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LE(report.gap_error, 1e-3 * tolerance * 6.0 * SpherePress::alpha_c);
+  }
+}
+
+TEST(IncrementTest, ErrorsOfAWindowDoNotMakeLaterOnesStall)
+{
+  // An evaluation of all columns after those of a window may have an error that is larger by orders of magnitude, from which it
+  // falls as before.
+  const auto stalls = [](bool begins_anew)
+  {
+    StallRule rule;
+    bool stalled = rule.stalls(1e-8, false);
+    double error = 1e-3;
+    for (int evaluation = 0; evaluation < 30; ++evaluation, error *= 0.7)
+      stalled = rule.stalls(error, begins_anew && evaluation == 0) || stalled;
+    return stalled;
+  };
+  EXPECT_TRUE(stalls(false));
+  EXPECT_FALSE(stalls(true));
 }
 
 TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)

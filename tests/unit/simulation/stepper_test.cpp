@@ -167,7 +167,7 @@ TEST(StepperTest, APieceThatCannotBeHalvedIsSolvedByThePlainFixedPoint)
   for (const auto& kinematic : {std::vector<constitutive::KinematicTerm>{}, back_stress})
   {
     SCOPED_TRACE(kinematic.size());
-    constexpr int few = 4;
+    constexpr int few = 3;
     Press split(settings(few), kinematic);
     const int evaluations = split.go(most, 1.0 / 4);
     // Each of the four pieces is tried, and then tried again the other way.
