@@ -152,7 +152,7 @@ def resistance_to_sliding(ax: Axes, course: Course) -> None:
 
 
 def force_along_surface(ax: Axes, course: Course) -> None:
-    """The force that moves a body to and fro, and the magnitude of the resultant of the shear, which friction limits."""
+    """The force that moves a body to and fro, and the resultant of the shear, which friction limits."""
     force = course.scales.force(course.largest("force", "F_friction"))
     course.draw(ax, "force", force, "along the motion", _LOWER)
     course.draw(ax, "F_friction", force, "resultant of the shear", _ASIDE)
