@@ -92,7 +92,7 @@ private:
   }
   [[nodiscard]] Scratch make_scratch() const;
   void plan_step(double duration);
-  void step_block(std::size_t block, const Step& step, Scratch& scratch);
+  void step_block(std::size_t number, const Step& step, Scratch& scratch);
   [[gnu::noinline]] void find_temperature(std::size_t block, Scratch& scratch);
   void find_decay_over_layers(const Block& block, Lanes* left, Lanes* sum) const;
   [[nodiscard]] ComplexLanes temperature_between(double depth, std::size_t block) const;
