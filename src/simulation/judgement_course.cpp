@@ -29,12 +29,13 @@ constexpr double largest_limited_share = 0.05; ///< of the contact at its shear 
 
 } // namespace
 
-double smallest_yield_stress(const Facts& facts)
+double yield_stress_of_surfaces(const Facts& facts)
 {
   double yield = std::numeric_limits<double>::infinity();
   for (const constitutive::Material* material : facts.materials)
     if (material->is_plastic())
-      yield = std::min(yield, constitutive::initial_yield_stress(*material->hardening));
+      yield = std::min(yield,
+                       material->yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(*material->hardening));
   return yield;
 }
 
@@ -49,7 +50,7 @@ double estimated_share_at_limit(const Facts& facts)
   constexpr double hardness = 2.8;
   if (!facts.limited_by_strength || !facts.slides)
     return 0.0;
-  const double yield = smallest_yield_stress(facts);
+  const double yield = yield_stress_of_surfaces(facts);
   const double most = facts.friction * std::min(facts.peak_pressure, hardness * yield);
   const double limit = yield / std::sqrt(3.0);
   // A pressure p0 sqrt(1 - r^2/a^2) exceeds p within the radius sqrt(1 - p^2/p0^2) a.

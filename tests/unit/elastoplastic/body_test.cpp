@@ -24,8 +24,7 @@ Deviator deviator_of(const std::vector<double>& values, std::size_t a)
 
 TEST(BodyTest, ACellThatJoinsBeginsOnItsYieldSurface)
 {
-  // Its residual is what the stress has beyond the yield surface, as it has not flowed in this evaluation. The next evaluation begins
-  // with the stress itself.
+  // It has not flowed in this evaluation, so that its residual is what the stress has beyond the yield surface.
   const SpherePress press;
   const VolumeGrid grid = press.volume();
   const constitutive::Material material = press.material();
