@@ -6,6 +6,7 @@
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 
+#include <algorithm>
 #include <tuple>
 
 /// Results of the committed state: surfaces, stress, load, and reached edges.
@@ -84,27 +85,30 @@ Outgrown CoupledContact::outgrown() const
     return edges;
   };
   Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
-  std::tie(result.contact_ends, result.contact_sides) = pressed_edges();
+  // The gap in two open cells tells where between cells the contact ends: contact::contact_area.
+  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(2);
   return result;
 }
 
-/// Whether pressure acts in the outermost columns, and rows, of the contact grid.
-std::pair<bool, bool> CoupledContact::pressed_edges() const
+/// Whether pressure acts within so many cells of the ends, and of the sides, of the contact grid.
+std::pair<bool, bool> CoupledContact::presses_near_edges(int cells) const
 {
   const SurfaceGrid& g = grid();
-  const auto pressed = [&](int i, int j) { return pressure_[g.index(i, j)] > 0.0; };
-  bool ends = false;
-  bool sides = false;
-  for (int i = 0; i < g.nx && !g.is_periodic_y(); ++i)
-    sides = sides || pressed(i, 0) || pressed(i, g.ny - 1);
-  for (int j = 0; j < g.ny && !g.is_periodic_x(); ++j)
-    ends = ends || pressed(0, j) || pressed(g.nx - 1, j);
+  const auto is_near = [cells](int cell, int last) { return std::min(cell, last - cell) < cells; };
+  bool ends = false, sides = false;
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      if (pressure_[g.index(i, j)] > 0.0)
+      {
+        ends = ends || (!g.is_periodic_x() && is_near(i, g.nx - 1));
+        sides = sides || (!g.is_periodic_y() && is_near(j, g.ny - 1));
+      }
   return {ends, sides};
 }
 
 bool CoupledContact::reaches_edge() const
 {
-  const auto [ends, sides] = pressed_edges();
+  const auto [ends, sides] = presses_near_edges(1);
   return ends || sides;
 }
 

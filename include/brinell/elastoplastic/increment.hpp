@@ -27,7 +27,7 @@ namespace brinell::elastoplastic
 struct Outgrown
 {
   Edges lower, upper;
-  bool contact_ends = false, contact_sides = false; ///< pressure in the outermost columns or rows of the contact grid
+  bool contact_ends = false, contact_sides = false; ///< pressure in the two outermost columns or rows of the contact grid
   [[nodiscard]] bool any() const
   {
     return contact_ends || contact_sides || lower.ends || lower.sides || lower.bottom || upper.ends || upper.sides ||
@@ -260,7 +260,7 @@ private:
   void recall_friction();
   [[nodiscard]] bool carries_off(const Placement& placement) const;
   [[nodiscard]] Outgrown outgrown() const;
-  [[nodiscard]] std::pair<bool, bool> pressed_edges() const;
+  [[nodiscard]] std::pair<bool, bool> presses_near_edges(int cells) const;
   void spread(const Placement& placement);
   void spread_shear(const Place& place, const SurfaceGrid& body, double sign,
                     std::array<std::vector<double>, 2>& out) const;
