@@ -193,18 +193,39 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
 }
 
 // docs/verification.md (expected error)
+constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0};
 constexpr Documented documented[] = {
-    {"load", "indents[*].max_load_N", 0.014, 5.0, 2.0},
-    {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5},
+    {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5, false, true},
     {"hardness", "indents[*].hardness_Pa", 0.03, 5.6, 1.0},
-    {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5},
-    {"residual stress at a depth", "", 0.05, 8.0, 1.5},
-    {"largest pressure and strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0}};
+    {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5, false, true},
+    {"residual stress at a depth", "", 0.05, 8.0, 1.5, false, true},
+    {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0}};
+/// Under a tip, whose largest strain grows without bound as cells get finer.
+constexpr Documented documented_of_tips[] = {
+    {"residual depth", "indents[*].residual_depth_m", 0.11, 5.6, 1.0, false, true},
+    {"hardness", "indents[*].hardness_Pa", 0.08, 5.6, 2.0},
+    {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, false, true},
+    {"residual stress at a depth", "", 0.05, 8.0, 1.5, false, true}};
+
+bool has_tip(const ShapedBody& body)
+{
+  return std::holds_alternative<Cone>(body.shape) || std::holds_alternative<Pyramid>(body.shape);
+}
 
 Facts facts(const IndentationCase& c, const IndentationPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
-  f.documented = documented;
+  if (has_tip(c.lower) || has_tip(c.upper))
+    f.documented.assign(std::begin(documented_of_tips), std::end(documented_of_tips));
+  else
+    f.documented.assign(std::begin(documented), std::end(documented));
+  if (f.is_plane) // the width of a contact of two edges scatters more than the area within a closed one
+    for (Documented& d : f.documented)
+      d.error *= std::string_view(d.quantity) == "hardness" ? 2.0 : 1.0;
+  const bool is_given = std::all_of(c.sequence.begin(), c.sequence.end(),
+                                    [](const Drive& drive) { return drive.kind == Drive::Kind::load; });
+  if (!is_given)
+    f.documented.insert(f.documented.begin(), load);
   f.forgets_if_elastic = true;
   return f;
 }

@@ -6,8 +6,8 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
 /// Derives the `Quality` of a result: each scenario supplies its facts, and the rules are the same for all.
 namespace brinell::simulation
@@ -19,13 +19,15 @@ struct Documented
   const char* quantity;
   const char* name; ///< pattern of the name in the summary, * matches anything; empty: not in the summary
   double error, cells, order;
-  bool elastic = false; ///< applies also if nothing yields
+  bool elastic = false;         ///< applies also if nothing yields
+  bool of_plastic_zone = false; ///< needs a plastic zone resolved as finely as the contact
+  double further = 0.0;         ///< further error, which does not depend on the cells
 };
 
 /// Facts about a run of any scenario that the rules need.
 struct Facts
 {
-  std::span<const Documented> documented;
+  std::vector<Documented> documented;
   bool forgets_if_elastic =
       false; ///< without plastic strain a step does not depend on earlier ones: there is no friction
   std::array<double, 3> cell{};

@@ -59,10 +59,16 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
   const bool yields = layers ? *layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
   if (std::isnan(r.cells))
     return r;
+  // The plastic zone of the tables is 2.5 contact radii deep in layers of cells; near first yield it is much shallower.
+  constexpr double layers_per_cell = 2.5;
+  const double of_contact = deciding_cells(f, r);
+  const double of_zone = layers && *layers > 0 ? std::min(of_contact, *layers / layers_per_cell) : of_contact;
   for (const Documented& d : f.documented)
     if (yields || d.elastic)
-      r.expected_errors.push_back(
-          {d.quantity, d.name, std::min(1.0, d.error * std::pow(d.cells / deciding_cells(f, r), d.order))});
+    {
+      const double from_cells = d.error * std::pow(d.cells / (d.of_plastic_zone ? of_zone : of_contact), d.order);
+      r.expected_errors.push_back({d.quantity, d.name, std::min(1.0, from_cells + d.further)});
+    }
   return r;
 }
 
@@ -267,13 +273,16 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
 {
   std::vector<Warning> of_flow;
   Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt);
-  if (warn_of_expected_flow(f, of_flow))
+  std::vector<Warning> of_textures;
+  warn_of_textures(f, of_textures);
+  // The tables are for surfaces below their shear limit, and whose textures the cells resolve.
+  if (warn_of_expected_flow(f, of_flow) || !of_textures.empty())
     resolution.expected_errors.clear();
   Judge judge(f, std::move(resolution));
   judge.of_cells();
-  for (Warning& warning : of_flow)
-    judge.add(std::move(warning));
-  warn_of_textures(f, judge.warnings());
+  for (std::vector<Warning>* warnings : {&of_flow, &of_textures})
+    for (Warning& warning : *warnings)
+      judge.add(std::move(warning));
   judge.of_profiles();
   judge.of_step();
   judge.of_size();
@@ -293,12 +302,15 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   const double cells_x = f.is_patchy ? f.half_x / f.cell[0] : 0.5 * seen.contact_columns;
   const double cells_y = f.is_patchy ? f.half_y / f.cell[1] : 0.5 * seen.contact_rows;
   Resolution resolution = resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, seen.plastic_layers);
-  if (flows_at_surface(f, totals)) // the convergence tables are for surfaces below their shear limit
+  std::vector<Warning> of_textures;
+  warn_of_textures(f, of_textures);
+  if (flows_at_surface(f, totals) || !of_textures.empty()) // see quality_before
     resolution.expected_errors.clear();
   Judge judge(f, std::move(resolution));
   judge.of_cells();
   judge.of_depth();
-  warn_of_textures(f, judge.warnings());
+  for (Warning& warning : of_textures)
+    judge.add(std::move(warning));
   judge.of_profiles();
   judge.of_step();
   judge.of_size();

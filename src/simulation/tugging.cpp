@@ -247,15 +247,22 @@ private:
 };
 
 // docs/verification.md (expected error)
-constexpr Documented documented[] = {{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1},
-                                     {"dents", "residual.max_*_m", 0.017, 8.0, 1.8},
-                                     {"net energy", "energy.net_J", 0.036, 8.0, 1.7},
-                                     {"F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7}};
+constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1};
+/// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
+constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0};
+
+std::vector<Documented> documented(bool is_loaded)
+{
+  return {is_loaded ? peak_under_load : peak_force,
+          {"dents", "residual.max_*_m", 0.017, 8.0, 1.8, false, true},
+          {"net energy", "energy.net_J", 0.036, 8.0, 1.7},
+          {"F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7}};
+}
 
 Facts facts(const TuggingCase& c, const TuggingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
-  f.documented = documented;
+  f.documented = documented(c.load.has_value());
   f.moves = f.slides = true;
   if (c.shift)
     f.shift = plan.shift;
