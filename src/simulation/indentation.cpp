@@ -202,7 +202,7 @@ constexpr Documented documented[] = {
     {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0}};
 /// Under a tip, whose largest strain grows without bound as cells get finer.
 constexpr Documented documented_of_tips[] = {
-    {"residual depth", "indents[*].residual_depth_m", 0.11, 5.6, 1.0, false, true},
+    {"residual depth", "indents[*].residual_depth_m", 0.08, 5.6, 1.0, false, true},
     {"hardness", "indents[*].hardness_Pa", 0.08, 5.6, 2.0},
     {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, false, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, false, true}};

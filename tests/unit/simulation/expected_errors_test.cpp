@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which expected errors a result states, and where the tables of convergence do not hold: docs/verification.md (expected error).
+#include "quality_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace brinell::simulation
+{
+namespace
+{
+
+std::optional<ExpectedError> find(const Quality& quality, std::string_view quantity)
+{
+  for (const ExpectedError& e : quality.resolution.expected_errors)
+    if (e.quantity == quantity)
+      return e;
+  return std::nullopt;
+}
+
+/// The expected error of a quantity, NaN if none is stated.
+double error(const Quality& quality, std::string_view quantity)
+{
+  return find(quality, quantity).value_or(ExpectedError{"", "", std::nan("")}).relative;
+}
+
+IndentationCase indent(const Shape& shape)
+{
+  IndentationCase c;
+  c.lower = {Plane{}, {{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}}};
+  c.upper = {shape, {{210e9, 0.3}, {}}};
+  c.sequence = {{contact::Drive::Kind::approach, 1e-6}};
+  return c;
+}
+
+RunTotals totals(int cells_per_radius, int layers)
+{
+  RunTotals t;
+  t.coverage = {2 * cells_per_radius, 2 * cells_per_radius, layers};
+  t.max_equivalent_plastic_strain = 0.01;
+  t.energy_balance_error = 1e-3;
+  return t;
+}
+
+TEST(ExpectedErrors, OfThePlasticZoneFollowItsLayers)
+{
+  const IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  const Quality deep = quality(c, plan(c), totals(10, 25)), shallow = quality(c, plan(c), totals(10, 10)),
+                coarse = quality(c, plan(c), totals(4, 25));
+  for (const char* quantity : {"residual depth", "pile-up", "residual stress at a depth"})
+  {
+    EXPECT_LT(error(deep, quantity), 0.3 * error(shallow, quantity)) << quantity;
+    EXPECT_DOUBLE_EQ(error(shallow, quantity), error(coarse, quantity)) << quantity << ": ten layers are as four cells";
+  }
+  EXPECT_DOUBLE_EQ(error(deep, "load"), error(shallow, "load"));
+}
+
+TEST(ExpectedErrors, AreNotStatedOfWhatIsGiven)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  EXPECT_GT(error(quality(c, plan(c), totals(10, 25)), "load"), 0.0);
+  c.sequence = {{contact::Drive::Kind::load, 50.0}};
+  EXPECT_FALSE(find(quality(c, plan(c), totals(10, 25)), "load"));
+  TuggingCase t;
+  t.lower = t.upper = {Paraboloid{1e-3, 1e-3}, c.lower.material};
+  t.interference = 1e-6;
+  EXPECT_EQ(find(expected_quality(t, plan(t)), "peak force")->name, "forces.peak_*_N");
+  t.load = 1.0;
+  EXPECT_FALSE(find(expected_quality(t, plan(t)), "peak force"));
+  EXPECT_EQ(find(expected_quality(t, plan(t)), "peak F_X")->name, "forces.peak_F_X_N");
+}
+
+TEST(ExpectedErrors, OfTipsHaveNoLargestStrain)
+{
+  const IndentationCase cone = indent(Cone{1.4, 0.0}), ball = indent(Paraboloid{1e-3, 1e-3});
+  const Quality of_cone = quality(cone, plan(cone), totals(8, 25)), of_ball = quality(ball, plan(ball), totals(8, 25));
+  EXPECT_FALSE(find(of_cone, "largest plastic strain"));
+  EXPECT_TRUE(find(of_ball, "largest plastic strain"));
+  EXPECT_GT(error(of_cone, "residual depth"), 2.0 * error(of_ball, "residual depth"));
+}
+
+TEST(ExpectedErrors, AreNotStatedWhereATextureIsLost)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  EXPECT_FALSE(expected_quality(c, plan(c)).resolution.expected_errors.empty());
+  c.lower.texture = Dent{.depth = 1e-7, .radius = 3.5 * plan(c).contact.dy};
+  for (const Quality& q : {expected_quality(c, plan(c)), quality(c, plan(c), totals(8, 25))})
+  {
+    EXPECT_EQ(keys(q), Keys{"coarse_texture"});
+    EXPECT_TRUE(q.resolution.expected_errors.empty());
+  }
+}
+
+TEST(ExpectedErrors, OfATrackHaveItsRounding)
+{
+  RollingCase c = ball_on_flat();
+  const double shift = plan(c).shift;
+  const auto dissipation = [&](double steps)
+  {
+    c.distance = steps * shift;
+    return error(quality(c, plan(c), good_totals(c)), "dissipation");
+  };
+  EXPECT_NEAR(dissipation(10.9) - dissipation(10.0), 0.9 / 10.9, 1e-9) << "an even number of steps: 10";
+  EXPECT_NEAR(dissipation(11.1) - dissipation(10.0), 0.9 / 11.1, 1e-9) << "12";
+}
+
+TEST(ExpectedErrors, OfTheRutOfALineAreOfFirstOrder)
+{
+  RollingCase c = ball_on_flat();
+  c.upper.shape = Paraboloid{5e-3, std::numeric_limits<double>::infinity()};
+  c.domain.y = {Boundary::periodic, 1e-4, 1};
+  c.drive.value = 60.0;
+  ASSERT_TRUE(is_plane(plan(c).contact));
+  const auto rut = [&](int columns)
+  {
+    RunTotals t = good_totals(c);
+    t.coverage = {columns, 1, 4 * columns};
+    return error(quality(c, plan(c), t), "rut");
+  };
+  EXPECT_NEAR(rut(16) / rut(32), 2.0, 1e-9);
+  const double rolling = rut(16);
+  c.friction.coefficient = 0.2;
+  c.slide_to_roll = 0.2;
+  EXPECT_GT(rut(16), 2.0 * rolling);
+}
+
+TEST(ExpectedErrors, OfNumbersNearZeroAreNotStated)
+{
+  RollingCase c = ball_on_flat();
+  RollingSummary s;
+  static_cast<RunTotals&>(s) = good_totals(c);
+  s.passes.resize(2);
+  s.passes[0].resistance = 2e-5 * c.drive.value;
+  EXPECT_TRUE(find(quality(c, plan(c), s), "resistance"));
+  s.passes[0].resistance = 0.5e-5 * c.drive.value;
+  EXPECT_FALSE(find(quality(c, plan(c), s), "resistance"));
+
+  SlidingCase sliding;
+  sliding.lower = c.lower;
+  sliding.upper = c.upper;
+  sliding.press = c.drive;
+  sliding.distance = 5e-4;
+  SlidingSummary of_sliding;
+  static_cast<RunTotals&>(of_sliding) = totals(8, 25);
+  of_sliding.strokes.resize(2);
+  of_sliding.strokes[0].friction_ploughing = -2e-3; // the largest stroke counts
+  EXPECT_TRUE(find(quality(sliding, plan(sliding), of_sliding), "friction by ploughing"));
+  of_sliding.strokes[0].friction_ploughing = -5e-4;
+  EXPECT_FALSE(find(quality(sliding, plan(sliding), of_sliding), "friction by ploughing"));
+  EXPECT_TRUE(find(quality(sliding, plan(sliding), of_sliding), "plastic work"));
+}
+
+TEST(ExpectedErrors, OfCreepForcesAreThoseOfTheResultant)
+{
+  RollingCase c = ball_on_flat();
+  c.friction.coefficient = 0.3;
+  c.creepage = Creepage{1e-3, 0.0, 0.0};
+  RollingSummary s;
+  static_cast<RunTotals&>(s) = good_totals(c);
+  s.passes.resize(1);
+  const double largest = c.friction.coefficient * c.drive.value;
+  const auto of_force = [&](double F_x, double F_y)
+  {
+    s.passes[0].F_x = F_x * largest;
+    s.passes[0].F_y = F_y * largest;
+    return find(quality(c, plan(c), s), "creep force").value();
+  };
+  const double usual = of_force(0.5, 0.0).relative;
+  EXPECT_EQ(of_force(0.5, 0.0).name, "passes[*].F_x_N");
+  EXPECT_EQ(of_force(1e-9, 0.5).name, "passes[*].F_y_N");
+  EXPECT_DOUBLE_EQ(of_force(1e-9, 0.5).relative, usual);
+  EXPECT_NEAR(of_force(0.1, 0.0).relative, 3.0 * usual, 1e-12);
+  EXPECT_EQ(of_force(0.0, 0.0).relative, 1.0);
+}
+
+TEST(ExpectedErrors, OfAThinRingOfSlipGrow)
+{
+  FrettingCase c;
+  c.lower = {Plane{}, {{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}}};
+  c.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, {}}};
+  c.press = {contact::Drive::Kind::load, 2.0};
+  c.friction.coefficient = 0.3;
+  c.amplitude = 1e-7;
+  const double sliding = plan(c).sliding_displacement;
+  const auto of_amplitude = [&](double share)
+  {
+    c.amplitude = share * sliding;
+    return quality(c, plan(c), totals(8, 25));
+  };
+  const Quality wide = of_amplitude(0.8), thin = of_amplitude(0.1);
+  EXPECT_DOUBLE_EQ(error(wide, "heat of friction"), 0.02);
+  EXPECT_TRUE(find(wide, "slip amplitude"));
+  EXPECT_GT(error(thin, "heat of friction"), 0.5);
+  EXPECT_FALSE(find(thin, "slip amplitude"));
+  EXPECT_NE(thin.warnings.at(0).text.find("the energy of a cycle may be off by"), std::string::npos);
+}
+
+} // namespace
+} // namespace brinell::simulation
