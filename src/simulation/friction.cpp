@@ -24,4 +24,10 @@ void require_friction(const Numerics& numerics, const ShapedBody& lower, const S
     throw KeyError("interface.friction", given + " between two rigid bodies; allowed: one that deforms");
 }
 
+double force_ratio(double F_X, double F_n, const Plan& plan)
+{
+  constexpr double rounding = 1e-9; // of the force of one cell
+  return F_n > rounding * plan.peak_pressure * plan.contact.cell_area() ? F_X / F_n : 0.0;
+}
+
 } // namespace brinell::simulation

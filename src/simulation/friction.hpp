@@ -14,4 +14,7 @@ namespace brinell::simulation
 void require_friction(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                       const std::string& reason);
 
+/// F_X over F_n; 0 without contact, and where F_n is what rounding leaves of it.
+[[nodiscard]] double force_ratio(double F_X, double F_n, const Plan& plan);
+
 } // namespace brinell::simulation

@@ -5,6 +5,7 @@
 #include "brinell/simulation/scenario.hpp"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,11 +48,8 @@ struct Facts
   bool has_thermal_stress = false; ///< which is part of the yield condition
   std::optional<double>
       passing_time; ///< in which the contact passes a point of the body over which it moves faster [s]
-  /// The limit of the shear is the strength of a surface, not a given one below it: plastic strain of a surface at its limit
-  /// concentrates in the uppermost layers of cells.
-  bool limited_by_strength = false;
-  bool flows_freely =
-      false; ///< and that surface does not harden: its strain grows without bound as the layers get thinner
+  double shear_limit = std::numeric_limits<double>::infinity(); ///< given [Pa]
+  bool hardens = true;                                          ///< every surface that yields
   /// The surfaces slide everywhere in the contact, and do not stick anywhere.
   bool slides = false;
   double friction = 0.0;      ///< coefficient

@@ -27,30 +27,49 @@ constexpr double largest_warming = 500.0;
 
 constexpr double largest_limited_share = 0.05; ///< of the contact at its shear limit, whose effect on a run is as small
 
-} // namespace
-
-double yield_stress_of_surfaces(const Facts& facts)
+/// Yield stress of the softer surface before it hardens, with its depth profile [Pa]; infinite if neither body can yield.
+/// @param hottest  largest temperatures of the lower and the upper surface in the run [deg C]; nullptr: cold
+double yield_stress_of_surfaces(const Facts& facts, const std::array<double, 2>* hottest)
 {
-  double yield = std::numeric_limits<double>::infinity();
-  for (const constitutive::Material* material : facts.materials)
-    if (material->is_plastic())
-      yield = std::min(yield,
-                       material->yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(*material->hardening));
-  return yield;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const constitutive::Material& material = *facts.materials[side];
+    if (!material.is_plastic())
+      continue;
+    double yield = material.yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(*material.hardening);
+    if (hottest != nullptr && material.softening)
+      yield *= constitutive::softening_factor(*material.softening, (*hottest)[side]);
+    least = std::min(least, yield);
+  }
+  return least;
 }
+
+/// Whether the limit of the shear is the strength of a surface, not a given one below it. Plastic strain of a surface at its limit
+/// concentrates in the uppermost layers of cells; if it does not harden, it grows without bound as the layers get thinner.
+/// @param totals  of the run, with the temperatures that soften the surfaces; nullptr: before it
+bool is_limited_by_strength(const Facts& facts, const RunTotals* totals)
+{
+  const bool softens = totals != nullptr && facts.is_heated;
+  const double strength =
+      yield_stress_of_surfaces(facts, softens ? &totals->max_temperature : nullptr) / std::sqrt(3.0);
+  return facts.friction > 0.0 && facts.can_yield && facts.shear_limit >= strength;
+}
+
+} // namespace
 
 bool flows_at_surface(const Facts& facts, const RunTotals& totals)
 {
-  return facts.limited_by_strength && totals.max_share_at_shear_limit > largest_limited_share;
+  return is_limited_by_strength(facts, &totals) && totals.max_share_at_shear_limit > largest_limited_share;
 }
 
 double estimated_share_at_limit(const Facts& facts)
 {
   // Mean pressure over yield stress of a fully plastic contact (Tabor 1951); friction and sliding make it less.
   constexpr double hardness = 2.8;
-  if (!facts.limited_by_strength || !facts.slides)
+  if (!is_limited_by_strength(facts, nullptr) || !facts.slides)
     return 0.0;
-  const double yield = yield_stress_of_surfaces(facts);
+  const double yield = yield_stress_of_surfaces(facts, nullptr);
   const double most = facts.friction * std::min(facts.peak_pressure, hardness * yield);
   const double limit = yield / std::sqrt(3.0);
   // A pressure p0 sqrt(1 - r^2/a^2) exceeds p within the radius sqrt(1 - p^2/p0^2) a.
@@ -99,7 +118,7 @@ void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<War
              "contact radius, forces of such runs changed by 5 to 30 %, heat of friction and plastic work by 10 "
              "to 50 %: compare with finer cells, or use --accuracy",
              percent_text(totals.max_share_at_shear_limit))});
-  if (facts.flows_freely && totals.max_share_at_shear_limit > 0.0)
+  if (!facts.hardens && is_limited_by_strength(facts, &totals) && totals.max_share_at_shear_limit > 0.0)
     warnings.push_back(
         {"free_flow",
          fmt::format(
@@ -109,10 +128,11 @@ void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<War
              "stress, makes the strain definite",
              percent_text(totals.max_share_at_shear_limit))});
   if (totals.split_increments > 0)
-    warnings.push_back(
-        {"split_increments", fmt::format("{} increments did not converge in one piece and were split; the result has "
-                                         "converged, but smaller steps would be faster and more accurate",
-                                         totals.split_increments)});
+    warnings.push_back({"split_increments",
+                        fmt::format("{} increments did not converge in one piece and were split or solved by plain "
+                                    "iteration. All of them have converged, but plastic strain may depend on how: "
+                                    "compare with smaller steps, which are also faster",
+                                    totals.split_increments)});
 }
 
 namespace

@@ -24,9 +24,6 @@ void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 /// @return whether it warns
 bool warn_of_expected_flow(const Facts& facts, std::vector<Warning>& warnings);
 
-/// Yield stress of the softer surface before it hardens, with its depth profile [Pa]; infinite if neither body can yield.
-[[nodiscard]] double yield_stress_of_surfaces(const Facts& facts);
-
 /// Whether so much of the contact was at the shear limit of a surface that the flow of that surface decides about the results.
 [[nodiscard]] bool flows_at_surface(const Facts& facts, const RunTotals& totals);
 

@@ -262,10 +262,9 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.is_heated = is_heated(numerics, lower, upper);
   f.has_thermal_stress = numerics.heat.stress;
   f.friction = numerics.friction.coefficient;
-  const double weakest = yield_stress_of_surfaces(f) / std::sqrt(3.0); // shear strength before hardening
-  f.limited_by_strength = f.friction > 0.0 && numerics.friction.shear_limit.value_or(weakest) >= weakest && f.can_yield;
+  f.shear_limit = numerics.friction.shear_limit.value_or(f.shear_limit);
+  f.hardens = !never_hardens(lower.material) && !never_hardens(upper.material);
   f.peak_pressure = plan.peak_pressure;
-  f.flows_freely = f.limited_by_strength && (never_hardens(lower.material) || never_hardens(upper.material));
   return f;
 }
 

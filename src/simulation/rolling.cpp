@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "friction.hpp"
 #include "heat.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
@@ -96,7 +97,7 @@ public:
         0.5 * (sliding_force + previous_.sliding_force) * (r.x - previous_.x) - stepper.shear_work();
     previous_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, previous_.along};
     read_shear(stepper, r);
-    r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
+    r.friction = force_ratio(r.F_X, r.F_n, plan_);
     track_.add(r);
     if (++step_in_pass_ < steps_per_pass())
       return;

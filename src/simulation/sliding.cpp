@@ -4,6 +4,7 @@
 #include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "friction.hpp"
 #include "heat.hpp"
 #include "judgement.hpp"
 #include "period.hpp"
@@ -86,7 +87,7 @@ public:
     read_patches(stepper.pair(), r);
     r.F_ploughing = sign * ploughing(stepper, here);
     r.F_X = r.F_ploughing + r.F_friction;
-    r.friction = r.F_n > 0.0 ? r.F_X / r.F_n : 0.0;
+    r.friction = force_ratio(r.F_X, r.F_n, plan_);
     const DriveState now{r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction};
     if (moves) // at the beginning and at a reversal the shear is that of the motion before the body moves
     {

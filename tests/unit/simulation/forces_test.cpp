@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/forces.hpp"
+#include "simulation/friction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,18 @@ TEST_F(ForcesTest, SlopeAtTheEdgeOfTheGridIsOneSided)
   load = 1e9 * grid.cell_area() * static_cast<double>(grid.size());
   tilt(lower, -0.02, 0.0);
   EXPECT_NEAR(forces(0.0, 1.0).F_X, load * std::sin(std::atan(0.02)), rounding * load);
+}
+
+// A body that has been lifted off may keep a force of some ulp, and with it a ratio of any size.
+TEST(ForceRatioTest, OfForcesThatRoundingLeavesIsZero)
+{
+  Plan plan;
+  plan.contact = {.nx = 3, .ny = 3, .dx = 1e-6, .dy = 1e-6};
+  plan.peak_pressure = 1e9;
+  EXPECT_DOUBLE_EQ(force_ratio(1e-4, 1e-3, plan), 0.1) << "one cell";
+  EXPECT_DOUBLE_EQ(force_ratio(1e-8, 1e-9, plan), 10.0);
+  EXPECT_EQ(force_ratio(1e-10, 1e-13, plan), 0.0);
+  EXPECT_EQ(force_ratio(0.0, 0.0, plan), 0.0);
 }
 
 } // namespace

@@ -85,6 +85,24 @@ TEST(Quality, SurfacesAtTheirShearStrength)
   EXPECT_EQ(after(c, t), Keys{"surface_flow"}) << "but stronger than one that is softer than the core";
 }
 
+TEST(Quality, AFilmThatHeatLeavesStrongerThanTheSurface)
+{
+  RollingCase c = ball_on_flat();
+  constitutive::Material& flat = c.lower.material;
+  flat.hardening = constitutive::LinearHardening{1e9, 20e9};
+  flat.softening = constitutive::LinearSoftening{20.0, 1520.0};
+  flat.thermal = c.upper.material.thermal = Thermal{50.0, 7800.0, 470.0, 12e-6};
+  c.friction = {.coefficient = 0.4, .shear_limit = 5e8};
+  c.slide_to_roll = 1.0;
+  c.speed = 1.0;
+  RunTotals t = good_totals(c);
+  t.max_share_at_shear_limit = 0.3;
+  t.max_temperature = {100.0, 100.0};
+  EXPECT_EQ(after(c, t), Keys{}) << "547 MPa";
+  t.max_temperature = {300.0, 300.0};
+  EXPECT_EQ(after(c, t), Keys{"surface_flow"}) << "470 MPa";
+}
+
 TEST(Quality, SurfacesExpectedAtTheirShearStrength)
 {
   RollingCase c = ball_on_flat();
