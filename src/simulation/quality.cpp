@@ -10,7 +10,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
-#include <variant>
 
 namespace brinell::simulation
 {
@@ -70,13 +69,6 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
       r.expected_errors.push_back({d.quantity, d.name, std::min(1.0, from_cells + d.further)});
     }
   return r;
-}
-
-/// Whether a body is perfectly plastic: its yield stress is constant.
-bool never_hardens(const constitutive::Material& material)
-{
-  return material.kinematic.empty() && material.hardening &&
-         std::visit([](const auto& law) { return law.modulus_at(0.0) == 0.0; }, *material.hardening);
 }
 
 /// Collects the warnings about a run.
@@ -263,7 +255,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.has_thermal_stress = numerics.heat.stress;
   f.friction = numerics.friction.coefficient;
   f.shear_limit = numerics.friction.shear_limit.value_or(f.shear_limit);
-  f.hardens = !never_hardens(lower.material) && !never_hardens(upper.material);
+  f.hardens = !lower.material.is_perfectly_plastic() && !upper.material.is_perfectly_plastic();
   f.peak_pressure = plan.peak_pressure;
   return f;
 }

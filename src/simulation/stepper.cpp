@@ -252,8 +252,19 @@ void Stepper::descend(const Target& target)
   throw ConvergenceError(fmt::format(
       "{}: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), change of displacement "
       "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger solver.max_evaluations "
-      "may help",
-      where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error));
+      "may help{}",
+      where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error,
+      advice_on_free_flow()));
+}
+
+/// Advice where friction may bring a surface that does not harden to its strength, so that there is no state of equilibrium.
+std::string Stepper::advice_on_free_flow() const
+{
+  const bool hardens = !setup_.lower.is_perfectly_plastic() && !setup_.upper.is_perfectly_plastic();
+  if (hardens || setup_.sliding.friction.coefficient == 0.0)
+    return "";
+  return ". A surface that does not harden flows without bound where friction brings the shear to its strength: "
+         "hardening, or an interface.shear_limit below its yield stress / sqrt(3), gives it a definite state";
 }
 
 void Stepper::grow(const elastoplastic::Outgrown& outgrown)

@@ -136,6 +136,7 @@ private:
   bool attempt(const Target& target);
   [[nodiscard]] elastoplastic::IncrementReport solved(const Target& target, const elastoplastic::Strategy& strategy);
   void descend(const Target& target);
+  [[nodiscard]] std::string advice_on_free_flow() const;
   void place(const Frame& frame);
   [[nodiscard]] std::unique_ptr<elastoplastic::CoupledContact> make_pair() const;
   void grow(const elastoplastic::Outgrown& outgrown);

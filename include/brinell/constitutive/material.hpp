@@ -9,6 +9,7 @@
 #include "brinell/green/thermal.hpp"
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace brinell::constitutive
@@ -27,6 +28,12 @@ struct Material
   std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
+  /// Whether it is plastic and never hardens.
+  [[nodiscard]] bool is_perfectly_plastic() const
+  {
+    return is_plastic() && kinematic.empty() &&
+           std::visit([](const auto& law) { return law.modulus_at(0.0) == 0.0; }, *hardening);
+  }
   bool operator==(const Material&) const = default;
 };
 

@@ -2,6 +2,7 @@
 // The scenario sliding: what it refuses, where its strokes go, and what it shares with other scenarios and with itself.
 #include "brinell/simulation/sliding.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/simulation/bearing.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/run.hpp"
@@ -87,6 +88,35 @@ TEST(SlidingTest, RefusesWhatHasNoSolution)
     c.press.value = load;
     EXPECT_THROW(static_cast<void>(plan(c)), InputError) << load;
   }
+}
+
+TEST(SlidingTest, AFailureBetweenSurfacesThatDoNotHardenSaysWhy)
+{
+  SlidingCase c;
+  c.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, {}}};
+  c.press = {contact::Drive::Kind::load, 20.0};
+  c.press_steps = 1;
+  c.distance = 1e-4;
+  c.resolution = 4.0;
+  c.friction.coefficient = 0.4;
+  c.solver.max_evaluations = 1;
+  const auto failure = [&](const constitutive::HardeningLaw& law)
+  {
+    c.lower = {Plane{}, {{210e9, 0.3}, law}};
+    try
+    {
+      static_cast<void>(run(c));
+    }
+    catch (const ConvergenceError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(failure(constitutive::PerfectPlasticity{9e8}).find("does not harden"), std::string::npos);
+  const std::string of_hardening = failure(constitutive::LinearHardening{9e8, 1e9});
+  EXPECT_NE(of_hardening.find("no convergence"), std::string::npos);
+  EXPECT_EQ(of_hardening.find("does not harden"), std::string::npos) << of_hardening;
 }
 
 TEST(SlidingTest, StrokesGoOnOrToAndFro)
