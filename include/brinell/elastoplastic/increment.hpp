@@ -27,7 +27,8 @@ namespace brinell::elastoplastic
 struct Outgrown
 {
   Edges lower, upper;
-  bool contact_ends = false, contact_sides = false; ///< pressure in the two outermost columns or rows of the contact grid
+  /// Pressure in the two outermost columns, or rows, of the contact grid.
+  bool contact_ends = false, contact_sides = false;
   [[nodiscard]] bool any() const
   {
     return contact_ends || contact_sides || lower.ends || lower.sides || lower.bottom || upper.ends || upper.sides ||
