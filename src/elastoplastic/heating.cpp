@@ -72,6 +72,8 @@ struct Heating::State
   // Since the start [J]
   double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_pressure = 0.0;
   int most_held = 0; ///< largest number of held cells in an increment
+  double heat_passed = 0.0,
+         heat_of_held = 0.0; ///< through the surfaces, and the part of it through held cells that are open
 
   [[nodiscard]] bool is_source_between() const
   {
@@ -79,6 +81,7 @@ struct Heating::State
   }
   [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
   void add_heat_without_flux(double heat);
+  void count_held();
   [[nodiscard]] bool is_parted(std::span<const double> pressure) const;
   [[nodiscard]] BothResponses& combined_response();
   [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
@@ -260,6 +263,20 @@ void Heating::State::add_heat_without_flux(double heat)
   sides[1].add_heat_without_flux((1.0 - lower) * heat);
 }
 
+/// After the last partition of an increment: counts the cells that it held in contact, and the heat through them.
+void Heating::State::count_held()
+{
+  most_held = std::max(most_held, touching.held());
+  const double per_flux = duration * contact.cell_area();
+  const std::span<const double> lower = sides[0].share(), upper = sides[1].share();
+  for (std::size_t i = 0; i < contact.size(); ++i)
+  {
+    const double passed = std::max(std::abs(lower[i]), std::abs(upper[i])) * per_flux;
+    heat_passed += passed;
+    heat_of_held += touching.is_held_open(i) ? passed : 0.0;
+  }
+}
+
 double Heating::follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing)
 {
   State& s = *state_;
@@ -306,7 +323,7 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
     power += sum(s.imposed) * s.contact.cell_area();
   s.heat_of_source += power * s.duration;
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
-  s.most_held = std::max(s.most_held, s.touching.held());
+  s.count_held();
   for (HeatedSide& side : s.sides)
     side.settle();
   for (HeatedSide& side : s.sides)
@@ -392,6 +409,11 @@ int Heating::most_held_cells() const
   return state_->most_held;
 }
 
+double Heating::share_of_held_cells() const
+{
+  return state_->heat_passed > 0.0 ? state_->heat_of_held / state_->heat_passed : 0.0;
+}
+
 void Heating::add_depth(std::size_t side, const SurfaceGrid& body, const Place& place, std::span<double> out) const
 {
   state_->sides.at(side).add_depth(body, place, out);
@@ -420,6 +442,8 @@ void Heating::exchange(Archive& archive)
   archive("heat_of_source", s.heat_of_source);
   archive("work_on_pressure", s.work_on_pressure);
   archive("most_held_cells", s.most_held, 0, std::numeric_limits<int>::max() - 1);
+  archive("heat_passed", s.heat_passed);
+  archive("heat_of_held", s.heat_of_held);
 }
 
 void Heating::move_to(const SurfaceGrid& contact)

@@ -33,6 +33,11 @@ public:
     }
     return touching;
   }
+  /// Whether heat passes in a cell that is open, because it is held in contact.
+  [[nodiscard]] bool is_held_open(std::size_t cell) const
+  {
+    return partings_[cell] >= max_partings && !was_touching_[cell];
+  }
   /// Number of cells held in contact in this increment.
   [[nodiscard]] int held() const
   {

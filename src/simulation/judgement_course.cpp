@@ -25,6 +25,7 @@ constexpr double largest_worn_share_of_layer = 0.25; ///< worn depth over the th
 /// 1993-1-2:2005, 3.2.1 and 3.4.1).
 constexpr double largest_warming = 500.0;
 
+constexpr double largest_held_share = 0.01;    ///< of the heat, through cells that neither touch nor are open
 constexpr double largest_limited_share = 0.05; ///< of the contact at its shear limit, whose effect on a run is as small
 
 /// Yield stress of the softer surface before it hardens, with its depth profile [Pa]; infinite if neither body can yield.
@@ -171,6 +172,14 @@ constexpr double fewest_layers_of_skin = 3.0;
 
 void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
 {
+  if (totals.share_of_held_cells > largest_held_share)
+    warnings.push_back(
+        {"undecided_contact",
+         fmt::format(
+             "{} of the heat passed through cells at the edge of the contact that open with this heat and close "
+             "without it (imperfect contact): it is uncertain by as much, and what is next to them as well; "
+             "finer cells make their share smaller",
+             percent_text(totals.share_of_held_cells))});
   for (std::size_t side = 0; side < 2; ++side)
   {
     const constitutive::Material& material = *facts.materials[side];

@@ -183,7 +183,10 @@ void Stepper::fill(RunTotals& totals) const
 {
   totals.split_increments = split_increments_;
   if (const elastoplastic::Heating* heating = pair_->heating())
+  {
     totals.most_held_cells = heating->most_held_cells();
+    totals.share_of_held_cells = heating->share_of_held_cells();
+  }
   totals.grid_changes = grid_changes_;
   totals.symmetry = plan_.symmetry;
   totals.memory_bytes = plan_.memory_bytes;

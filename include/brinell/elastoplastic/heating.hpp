@@ -152,6 +152,8 @@ public:
   /// Largest number of cells, in one increment since the start, that were held in contact because their own heat kept opening and
   /// closing them: docs/theory/heat.md (In the increment).
   [[nodiscard]] int most_held_cells() const;
+  /// Share of the heat since the start that passed through such cells while they were open.
+  [[nodiscard]] double share_of_held_cells() const;
   /// Adds the thermal displacement of the surface under the contact grid, positive into the body [m]; expansion is negative.
   void add_depth(std::size_t side, const SurfaceGrid& body, const Place& place, std::span<double> out) const;
   /// Output of `layers`: temperature [deg C] and thermal stress [Pa] in all layers after the last increment; empty spans are

@@ -262,6 +262,7 @@ struct RunTotals : RunningTotals
   double max_share_at_shear_limit = 0.0;   ///< largest `FrictionRecord::share_at_shear_limit` of the run
   std::array<double, 2> max_temperature{}; ///< largest of the lower and of the upper surface in the run [deg C]
   int most_held_cells = 0;                 ///< `Heating::most_held_cells`
+  double share_of_held_cells = 0.0;        ///< `Heating::share_of_held_cells`
   /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear
   double energy_balance_error = 0.0;
   std::vector<GridChange> grid_changes; ///< during the run

@@ -146,7 +146,8 @@ Json heat_json(double fraction, const RunTotals& s, const simulation::HeatedReco
           {"of_plastic_work_J", last.heat_of_plastic_work},
           {"work_of_expansion_J", s.work_of_expansion},
           {"balance_error", largest > 0.0 ? (given - last.heat_lower - last.heat_upper) / largest : 0.0},
-          {"held_cells", s.most_held_cells}};
+          {"held_cells", s.most_held_cells},
+          {"held_share", s.share_of_held_cells}};
 }
 
 Json residual_json(const RunTotals& s)

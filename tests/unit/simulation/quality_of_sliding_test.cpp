@@ -37,6 +37,17 @@ TEST(Quality, SurfacesSoHotThatConstantsAreOthers)
   EXPECT_EQ(after(c, t), (Keys{"hot_surface", "melting"})) << "conductivity and modulus do not soften";
 }
 
+TEST(Quality, HeatThroughCellsThatNeitherTouchNorAreOpen)
+{
+  const RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.share_of_held_cells = 0.009;
+  EXPECT_EQ(after(c, t), Keys{});
+  t.share_of_held_cells = 0.027;
+  ASSERT_EQ(after(c, t), Keys{"undecided_contact"});
+  EXPECT_EQ(quality(c, plan(c), t).warnings.front().text.find("2.7 % of the heat passed"), 0u);
+}
+
 TEST(Quality, HotSkinsThinnerThanTheLayers)
 {
   RollingCase c = ball_on_flat();
