@@ -58,13 +58,13 @@ TEST(Heat, CellsTakenAsTouchingAreTold)
     GTEST_SKIP() << "needs the cells at which it happens";
   // In this pass one cell and its mirror image open by the heat that they get while they touch, and close without it.
   TuggingCase t = warm_spheres(perfect_material(), 4.0, 1.0, 8.0);
-  const TuggingSummary held = computed(t).summary;
+  const simulation::RunTotals held = computed(t).summary;
   EXPECT_GT(held.most_held_cells, 0);
   EXPECT_LT(held.most_held_cells, 10);
   EXPECT_LT(held.share_of_held_cells, 1e-3);
   // Where the shares of the heat are given, no cell has to know whether it touches.
   t.heat.partition = 0.5;
-  const TuggingSummary given = computed(t).summary;
+  const simulation::RunTotals given = computed(t).summary;
   EXPECT_EQ(given.most_held_cells, 0);
   EXPECT_EQ(given.share_of_held_cells, 0.0);
 }
