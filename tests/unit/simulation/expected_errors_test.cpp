@@ -193,9 +193,8 @@ TEST(ExpectedErrors, OfAThinRingOfSlipGrow)
   };
   const Quality wide = of_amplitude(0.8), thin = of_amplitude(0.1);
   EXPECT_DOUBLE_EQ(error(wide, "heat of friction"), 0.02);
-  EXPECT_TRUE(find(wide, "slip amplitude"));
   EXPECT_GT(error(thin, "heat of friction"), 0.5);
-  EXPECT_FALSE(find(thin, "slip amplitude"));
+  EXPECT_GT(error(thin, "slip amplitude"), 2.0 * error(wide, "slip amplitude"));
   EXPECT_NE(thin.warnings.at(0).text.find("the energy of a cycle may be off by"), std::string::npos);
 }
 
