@@ -85,8 +85,8 @@ Outgrown CoupledContact::outgrown() const
     return edges;
   };
   Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
-  // The gap in two open cells tells where between cells the contact ends: contact::contact_area.
-  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(2);
+  // The gap in two open cells tells where between cells a worn contact ends: contact::contact_area.
+  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(wear_ ? 2 : 1);
   return result;
 }
 

@@ -17,8 +17,7 @@ namespace
 /// Number of cells on either side of a central cell that cover a half-length.
 int half_cells(double length, double cell)
 {
-  constexpr int fewest = 3; // one in contact and two open ones, without which the grid would grow
-  return std::max(fewest, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
+  return std::max(2, static_cast<int>(std::ceil(length / cell - 0.5 - 1e-9)));
 }
 
 int odd_cells(double half_length, double cell, int margin = 0)

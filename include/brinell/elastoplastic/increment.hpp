@@ -27,7 +27,7 @@ namespace brinell::elastoplastic
 struct Outgrown
 {
   Edges lower, upper;
-  /// Pressure in the two outermost columns, or rows, of the contact grid.
+  /// Pressure in the outermost columns, or rows, of the contact grid; of surfaces that wear in the two outermost ones.
   bool contact_ends = false, contact_sides = false;
   [[nodiscard]] bool any() const
   {

@@ -84,24 +84,6 @@ TEST(InterpolationTest, PressureBeyondTheEndIsNoticed)
       InputError);
 }
 
-TEST(InterpolationTest, PressureWithASingleOpenCellBesideItAsksForALargerGrid)
-{
-  const auto outgrown = [](int columns_from_end)
-  {
-    CoupledContact contact = pair();
-    std::vector<double> distance(contact_grid.size(), 10.0);
-    distance[static_cast<std::size_t>(contact_grid.nx * 2 + contact_grid.nx - 1 - columns_from_end)] = 0.0;
-    const IncrementReport report =
-        contact.advance(distance, {contact::Drive::Kind::approach, 1.0}, {{column}, {column}}, Strategy{});
-    EXPECT_TRUE(report.converged);
-    EXPECT_EQ(contact.reaches_edge(), columns_from_end == 0);
-    return report.outgrown.contact_ends;
-  };
-  EXPECT_TRUE(outgrown(0));
-  EXPECT_TRUE(outgrown(1));
-  EXPECT_FALSE(outgrown(2));
-}
-
 TEST(InterpolationTest, PressureAtTheEdgeIsNoticed)
 {
   CoupledContact contact = pair();
