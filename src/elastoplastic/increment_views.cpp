@@ -86,7 +86,8 @@ Outgrown CoupledContact::outgrown() const
   };
   Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
   // The gap in two open cells tells where between cells a worn contact ends: contact::contact_area.
-  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(wear_ ? 2 : 1);
+  const bool has_worn = wear_ && std::max(wear_->largest_depth(0), wear_->largest_depth(1)) > tolerance_of_gap();
+  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(has_worn ? 2 : 1);
   return result;
 }
 
