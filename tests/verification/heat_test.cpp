@@ -118,7 +118,6 @@ TEST(Heat, ARunThatIsTakenUpGoesOnAsItWas)
 TEST(Heat, GridsThatGrowKeepTheHeat)
 {
   TuggingCase t = warm_spheres(perfect_material(), 8.0, 1.0, 4.0);
-  t.extent = 1.3;
   const TuggingRun ample = computed(t);
   t.extent = 0.62;
   const TuggingRun grown = computed(t);

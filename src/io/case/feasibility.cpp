@@ -184,7 +184,10 @@ simulation::Work work_of(const auto& scenario, const auto& plan)
   constexpr double hard = 3.0;
   simulation::Work work = io_of(scenario).work;
   const auto is_sharp = [](const simulation::ShapedBody& body)
-  { return std::holds_alternative<simulation::Pyramid>(body.shape); };
+  {
+    return std::holds_alternative<simulation::Cone>(body.shape) ||
+           std::holds_alternative<simulation::Pyramid>(body.shape);
+  };
   const std::vector<Warning> warnings = simulation::expected_quality(scenario, plan).warnings;
   const bool flows = std::any_of(warnings.begin(), warnings.end(),
                                  [](const Warning& warning) { return warning.key == "surface_flow"; });
