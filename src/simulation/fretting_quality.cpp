@@ -62,7 +62,8 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
     f.documented.push_back(
         {"largest force along the surface", "cycles[*].max_force_N", is_thin ? 0.01 : 0.005, 8.0, 1.0});
   f.documented.push_back(heat);
-  f.documented.push_back({"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, false, true});
+  f.documented.push_back(
+      {"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, Documented::Of::plastic_zone});
   f.documented.push_back(slip);
   f.slides =
       c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;

@@ -20,9 +20,15 @@ struct Documented
   const char* quantity;
   const char* name; ///< pattern of the name in the summary, * matches anything; empty: not in the summary
   double error, cells, order;
-  bool elastic = false;         ///< applies also if nothing yields
-  bool of_plastic_zone = false; ///< needs a plastic zone resolved as finely as the contact
-  double further = 0.0;         ///< further error, which does not depend on the cells
+  /// What must be resolved.
+  enum class Of
+  {
+    contact,         ///< of bodies that yield
+    elastic_contact, ///< of any bodies
+    plastic_zone     ///< as finely as the contact
+  };
+  Of of = Of::contact;
+  double further = 0.0; ///< further error, which does not depend on the cells
 };
 
 /// Facts about a run of any scenario that the rules need.

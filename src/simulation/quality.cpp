@@ -63,9 +63,10 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
   const double of_contact = deciding_cells(f, r);
   const double of_zone = layers && *layers > 0 ? std::min(of_contact, *layers / layers_per_cell) : of_contact;
   for (const Documented& d : f.documented)
-    if (yields || d.elastic)
+    if (yields || d.of == Documented::Of::elastic_contact)
     {
-      const double from_cells = d.error * std::pow(d.cells / (d.of_plastic_zone ? of_zone : of_contact), d.order);
+      const double from_cells =
+          d.error * std::pow(d.cells / (d.of == Documented::Of::plastic_zone ? of_zone : of_contact), d.order);
       r.expected_errors.push_back({d.quantity, d.name, std::min(1.0, from_cells + d.further)});
     }
   return r;

@@ -21,8 +21,8 @@ constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0}
 constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8.0, 1.0};
 constexpr Documented resistance{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5};
 constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.07, 4.0, 1.5};
-constexpr Documented creep_force{"creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, true};
-constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.4, 8.0, 1.5, true};
+constexpr Documented creep_force{"creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, Documented::Of::elastic_contact};
+constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.4, 8.0, 1.5, Documented::Of::elastic_contact};
 
 /// Error of the creep force of the last pass. It is relative to the resultant, unless this is small: then it is that of a force of
 /// 0.3 of the largest possible one, as the shears of bodies that differ are large even if their sum is not.

@@ -238,7 +238,8 @@ private:
 
 // docs/verification.md (expected error)
 constexpr Documented ploughing{"friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9};
-constexpr Documented plastic_work{"plastic work", "strokes[*].dissipation_plastic_J", 0.06, 8.0, 1.0, false, true};
+constexpr Documented plastic_work{
+    "plastic work", "strokes[*].dissipation_plastic_J", 0.06, 8.0, 1.0, Documented::Of::plastic_zone};
 
 /// Whether the friction by ploughing is so small a difference of large forces that its relative error says nothing.
 bool hardly_ploughs(const std::vector<SlidingStroke>& strokes)
