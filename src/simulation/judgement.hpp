@@ -28,7 +28,10 @@ struct Documented
     plastic_zone     ///< as finely as the contact
   };
   Of of = Of::contact;
-  double further = 0.0; ///< further error, which does not depend on the cells
+  double of_steps = 0.0; ///< further error over that of the plastic work, if steps are few: see error_of_steps
+  bool is_of_lower =
+      false; ///< a dent of the lower body, whose relative error grows where the upper body has the larger dents
+  double further = 0.0; ///< further error, which depends neither on the cells nor on the steps
 };
 
 /// Facts about a run of any scenario that the rules need.
@@ -44,6 +47,7 @@ struct Facts
   std::optional<double> first_yield; ///< approach at first yield [m]; none where the estimate does not hold
   bool can_yield = false;
   std::optional<double> shift; ///< motion per step [m]; none if it is one cell
+  std::optional<int> steps;    ///< by which a contact that does not move gets from one load to the next
   bool is_plane = false;       ///< nothing varies along y
   bool is_patchy =
       false; ///< the contact may lie anywhere in a period, so that its extent does not show the size of its patches

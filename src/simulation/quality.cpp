@@ -21,11 +21,10 @@ namespace
 constexpr double fewest_cells = 6.0; ///< per contact radius
 constexpr double fewest_cells_across =
     3.0; ///< across the motion, where cells twice as long cost only half a percent of the net energy
-constexpr double hopeless_cells = 2.0;     ///< with fewer, a third of the energy is missing
-constexpr int fewest_layers = 4;           ///< through the plastic zone
-constexpr double smallest_approach = 1e-9; ///< [m], a few atoms, below which materials are no continuum
-constexpr double longest_share_of_radius =
-    0.25;                          ///< step over contact radius, with an error of 6 % of the net energy of tugging
+constexpr double hopeless_cells = 2.0;           ///< with fewer, a third of the energy is missing
+constexpr int fewest_layers = 4;                 ///< through the plastic zone
+constexpr double smallest_approach = 1e-9;       ///< [m], a few atoms, below which materials are no continuum
+constexpr double longest_share_of_radius = 0.25; ///< step over contact radius
 constexpr double lost_share = 0.1; ///< largest part of a profile, over the yield stress, that layers of cells may miss
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
 
@@ -43,8 +42,55 @@ double deciding_cells(const Facts& f, const Resolution& r)
   return f.moves ? std::min(r.cells_x, r.cells_y * fewest_cells / fewest_cells_across) : r.cells;
 }
 
-Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::optional<int> layers)
+/// Relative error of quantities with Documented::of_steps = 1. A shift of one cell is part of the tables of cells.
+double error_of_steps(const Facts& f)
 {
+  if (f.steps)
+    return std::pow(*f.steps, -2.0);
+  if (!f.shift || !(*f.shift > 1.01 * f.cell[0]))
+    return 0.0;
+  // docs/verification.md (few steps)
+  const auto of_share = [](double share) { return 0.06 * std::pow(share / longest_share_of_radius, 1.8); };
+  return of_share(*f.shift / f.half_x) - of_share(f.cell[0] / f.half_x);
+}
+
+/// Factor on the relative error of the dents of the lower body, which may be much smaller than those of the upper one.
+/// @return none if they are so small that a relative error says nothing
+std::optional<double> growth_of_lower(const RunTotals& seen)
+{
+  constexpr double least = 0.02; // over the dents of the upper body
+  const double lower = seen.max_residual_lower, upper = seen.max_residual_upper;
+  if (!(lower > least * upper))
+    return std::nullopt;
+  return std::sqrt(std::max(1.0, upper / lower)); // docs/verification.md (expected error)
+}
+
+/// @param seen  by the run; null before it
+std::vector<ExpectedError> expected_errors(const Facts& f, double of_contact, const RunTotals* seen)
+{
+  // The plastic zone of the tables is 2.5 contact radii deep in layers of cells; near first yield it is much shallower.
+  constexpr double layers_per_cell = 2.5;
+  const int layers = seen ? seen->coverage.plastic_layers : 0;
+  const bool yields = seen ? layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
+  const double of_zone = layers > 0 ? std::min(of_contact, layers / layers_per_cell) : of_contact;
+  const std::optional<double> of_lower = seen ? growth_of_lower(*seen) : 1.0;
+  const double of_steps = error_of_steps(f);
+  std::vector<ExpectedError> errors;
+  for (const Documented& d : f.documented)
+    if ((yields || d.of == Documented::Of::elastic_contact) && (of_lower || !d.is_of_lower))
+    {
+      const double from_cells =
+          d.error * std::pow(d.cells / (d.of == Documented::Of::plastic_zone ? of_zone : of_contact), d.order);
+      const double growth = d.is_of_lower ? *of_lower : 1.0;
+      errors.push_back({d.quantity, d.name, std::min(1.0, growth * (from_cells + d.of_steps * of_steps) + d.further)});
+    }
+  return errors;
+}
+
+/// @param seen  by the run; null before it
+Resolution resolution_of(const Facts& f, double cells_x, double cells_y, const RunTotals* seen)
+{
+  const std::optional<int> layers = seen ? std::optional(seen->coverage.plastic_layers) : std::nullopt;
   if (f.is_plane)
     cells_y = cells_x;
   if (f.cells_per_wave && !std::isnan(cells_x))
@@ -55,20 +101,8 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, std::op
     return of_patches;
   }
   Resolution r{cells_x, cells_y, std::min(cells_x, cells_y), layers, {}};
-  const bool yields = layers ? *layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
-  if (std::isnan(r.cells))
-    return r;
-  // The plastic zone of the tables is 2.5 contact radii deep in layers of cells; near first yield it is much shallower.
-  constexpr double layers_per_cell = 2.5;
-  const double of_contact = deciding_cells(f, r);
-  const double of_zone = layers && *layers > 0 ? std::min(of_contact, *layers / layers_per_cell) : of_contact;
-  for (const Documented& d : f.documented)
-    if (yields || d.of == Documented::Of::elastic_contact)
-    {
-      const double from_cells =
-          d.error * std::pow(d.cells / (d.of == Documented::Of::plastic_zone ? of_zone : of_contact), d.order);
-      r.expected_errors.push_back({d.quantity, d.name, std::min(1.0, from_cells + d.further)});
-    }
+  if (!std::isnan(r.cells))
+    r.expected_errors = expected_errors(f, deciding_cells(f, r), seen);
   return r;
 }
 
@@ -129,13 +163,11 @@ public:
   {
     if (!f_.shift || !(*f_.shift > longest_share_of_radius * f_.half_x) || !(*f_.shift > 1.01 * f_.cell[0]))
       return;
-    // Error due to the step: 1.4 % of the net energy for an eighth of the contact radius, docs/verification.md (shift step).
-    const double share = *f_.shift / f_.half_x;
     add("long_step",
         fmt::format("the contact moves by {} per step, {:.2g} contact radii; steps of more than {:g} radii leave gaps "
-                    "in the history; the expected error of the net energy is about {}: use a smaller shift",
-                    length_text(*f_.shift), share, longest_share_of_radius,
-                    percent_text(std::min(1.0, 0.014 * std::pow(8.0 * share, 2.2)))));
+                    "in the history, with a further error of about {} of the plastic work: use a smaller shift",
+                    length_text(*f_.shift), *f_.shift / f_.half_x, longest_share_of_radius,
+                    percent_text(std::min(1.0, error_of_steps(f_)))));
   }
 
   void of_size()
@@ -264,7 +296,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
 Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
 {
   std::vector<Warning> of_flow;
-  Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], std::nullopt);
+  Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], nullptr);
   std::vector<Warning> of_textures;
   warn_of_textures(f, of_textures);
   // The tables are for surfaces below their shear limit, and whose textures the cells resolve.
@@ -293,7 +325,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   const bool touched = seen.contact_columns > 0;
   const double cells_x = f.is_patchy ? f.half_x / f.cell[0] : 0.5 * seen.contact_columns;
   const double cells_y = f.is_patchy ? f.half_y / f.cell[1] : 0.5 * seen.contact_rows;
-  Resolution resolution = resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, seen.plastic_layers);
+  Resolution resolution = resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, &totals);
   std::vector<Warning> of_textures;
   warn_of_textures(f, of_textures);
   if (flows_at_surface(f, totals) || !of_textures.empty()) // see quality_before

@@ -15,13 +15,16 @@ namespace
 {
 
 // docs/verification.md (expected error)
-constexpr Documented rut{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5};
+constexpr Documented rut{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5, Documented::Of::contact, 0.3, true};
 /// The rut of a line contact is the small difference of large strains, of first order: the more so the larger the shear.
-constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0};
-constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8.0, 1.0};
-constexpr Documented resistance{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5};
-constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.07, 4.0, 1.5};
-constexpr Documented creep_force{"creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, Documented::Of::elastic_contact};
+constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0, Documented::Of::contact, 0.3, true};
+constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8.0,
+                                         1.0,   Documented::Of::contact, 0.3,  true};
+constexpr Documented resistance{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5, Documented::Of::contact, 1.0};
+constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.09, 4.0,
+                                 1.5,           Documented::Of::contact,   1.0};
+constexpr Documented creep_force{
+    "creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, Documented::Of::elastic_contact, 1.0};
 constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.4, 8.0, 1.5, Documented::Of::elastic_contact};
 
 /// Error of the creep force of the last pass. It is relative to the resultant, unless this is small: then it is that of a force of

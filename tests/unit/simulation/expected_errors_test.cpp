@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which expected errors a result states, and where the tables of convergence do not hold: docs/verification.md (expected error).
 #include "quality_cases.hpp"
+#include "simulation/judgement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,7 @@ RunTotals totals(int cells_per_radius, int layers)
   RunTotals t;
   t.coverage = {2 * cells_per_radius, 2 * cells_per_radius, layers};
   t.max_equivalent_plastic_strain = 0.01;
+  t.max_residual_lower = 1e-7;
   t.energy_balance_error = 1e-3;
   return t;
 }
@@ -108,6 +110,67 @@ TEST(ExpectedErrors, OfATrackHaveItsRounding)
   EXPECT_NEAR(dissipation(11.1) - dissipation(10.0), 0.9 / 11.1, 1e-9) << "12";
 }
 
+TEST(ExpectedErrors, OfAnIndentWithFewStepsAreLarger)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  const auto with_steps = [&](int steps, const char* quantity)
+  {
+    c.steps = steps;
+    return error(quality(c, plan(c), totals(10, 25)), quantity);
+  };
+  for (const char* quantity : {"load", "residual depth", "hardness", "pile-up", "largest plastic strain"})
+  {
+    const double one = with_steps(1, quantity), two = with_steps(2, quantity), many = with_steps(100000, quantity);
+    EXPECT_GT(one, 2.0 * many) << quantity;
+    EXPECT_NEAR((one - many) / (two - many), 4.0, 1e-6) << quantity << ": second order in the step";
+    EXPECT_LT(with_steps(20, quantity), 1.05 * many) << quantity << ": the default is enough";
+  }
+}
+
+TEST(ExpectedErrors, OfALongShiftAreLarger)
+{
+  RollingCase c = ball_on_flat();
+  const double cell = plan(c).contact.dx, radius = plan(c).half_width_x;
+  const auto with_shift = [&](double shift, const char* quantity)
+  {
+    c.shift = shift;
+    c.distance = 10.0 * shift;
+    return error(quality(c, plan(c), good_totals(c)), quantity);
+  };
+  for (const char* quantity : {"dissipation", "resistance", "rut"})
+    EXPECT_DOUBLE_EQ(with_shift(cell, quantity), with_shift(0.5 * cell, quantity)) << "part of the tables of cells";
+  const double further = with_shift(0.5 * radius, "dissipation") - with_shift(cell, "dissipation");
+  // 20 % less the 2 % of a shift of one cell, which is a seventh of the radius here.
+  EXPECT_GT(further, 0.15);
+  EXPECT_LT(further, 0.2);
+  EXPECT_NEAR(with_shift(0.5 * radius, "rut") - with_shift(cell, "rut"), 0.3 * further, 1e-9);
+  c.shift = 0.5 * radius;
+  const Quality q = quality(c, plan(c), good_totals(c));
+  ASSERT_EQ(keys(q), Keys{"long_step"});
+  EXPECT_NE(q.warnings.front().text.find("a further error of about " + percent_text(further)), std::string::npos)
+      << q.warnings.front().text;
+}
+
+TEST(ExpectedErrors, OfTheHarderLowerBodyAreThoseOfSmallDents)
+{
+  const IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  RunTotals t = totals(10, 25);
+  const auto found = [&](double upper, const char* quantity)
+  {
+    t.max_residual_upper = upper * t.max_residual_lower;
+    return error(quality(c, plan(c), t), quantity);
+  };
+  EXPECT_DOUBLE_EQ(found(0.5, "residual depth"), found(0.0, "residual depth"));
+  for (const char* quantity : {"residual depth", "pile-up"})
+    EXPECT_NEAR(found(9.0, quantity), 3.0 * found(1.0, quantity), 1e-12);
+  EXPECT_DOUBLE_EQ(found(9.0, "hardness"), found(1.0, "hardness")) << "a matter of both bodies";
+  EXPECT_TRUE(std::isnan(found(51.0, "residual depth"))) << "a relative error would say nothing";
+  t.max_residual_upper = t.max_residual_lower;
+  t.max_residual_lower = 0.0;
+  EXPECT_FALSE(find(quality(c, plan(c), t), "residual depth")) << "only the ball yields";
+  EXPECT_TRUE(find(quality(c, plan(c), t), "hardness"));
+}
+
 TEST(ExpectedErrors, OfTheRutOfALineAreOfFirstOrder)
 {
   RollingCase c = ball_on_flat();
@@ -151,7 +214,11 @@ TEST(ExpectedErrors, OfNumbersNearZeroAreNotStated)
   EXPECT_TRUE(find(quality(sliding, plan(sliding), of_sliding), "friction by ploughing"));
   of_sliding.strokes[0].friction_ploughing = -5e-4;
   EXPECT_FALSE(find(quality(sliding, plan(sliding), of_sliding), "friction by ploughing"));
+  of_sliding.dissipation_upper = 1.0;
+  of_sliding.strokes[1].dissipation_plastic = 0.03;
   EXPECT_TRUE(find(quality(sliding, plan(sliding), of_sliding), "plastic work"));
+  of_sliding.strokes[1].dissipation_plastic = 0.01;
+  EXPECT_FALSE(find(quality(sliding, plan(sliding), of_sliding), "plastic work")) << "nearly all yields in pressing";
 }
 
 TEST(ExpectedErrors, OfCreepForcesAreThoseOfTheResultant)

@@ -30,6 +30,7 @@ inline RunTotals good_totals(const RollingCase& c)
   t.coverage = {static_cast<int>(2.0 * p.half_width_x / p.contact.dx),
                 static_cast<int>(2.0 * p.half_width_y / p.contact.dy), 20};
   t.max_equivalent_plastic_strain = 0.01;
+  t.max_residual_lower = 1e-7;
   t.energy_balance_error = 1e-3;
   return t;
 }
