@@ -68,15 +68,17 @@ void require_creepage(const RollingCase& rolling, double half)
                     spin));
 }
 
-/// Checks that steps with creepage are whole cells, because the history of stick and slip is moved by whole cells.
-void require_whole_cells(const RollingCase& rolling, const RollingPlan& plan)
+/// The shift of a run with creepage: whole cells, because the history of stick and slip is moved by whole cells. A shift that was
+/// written with four digits or more of such a multiple is this multiple.
+double whole_shift(double shift, double cell)
 {
-  const double cells = plan.shift / plan.contact.dx;
-  constexpr double rounding = 1e-9;
-  if (rolling.creepage && !(std::abs(cells - std::round(cells)) <= rounding * cells && cells > 0.5))
-    throw KeyError("rolling.shift",
-                   fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m",
-                               plan.shift, plan.contact.dx));
+  constexpr double rounding = 1e-4;
+  const double cells = shift / cell, whole = std::round(cells);
+  if (!(std::abs(cells - whole) <= rounding * cells && whole > 0.0))
+    throw KeyError(
+        "rolling.shift",
+        fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m", shift, cell));
+  return whole * cell;
 }
 
 } // namespace
@@ -122,7 +124,8 @@ RollingPlan plan(const RollingCase& rolling)
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
   require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
   require_source_fits(rolling, plan.contact);
-  require_whole_cells(rolling, plan);
+  if (rolling.creepage)
+    plan.shift = whole_shift(plan.shift, plan.contact.dx);
   plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "rolling.passes");

@@ -42,6 +42,16 @@ void expect_refused(const std::string& key, const std::string& part, const Chang
   test::expect_refused(key, part, sample(), change);
 }
 
+TEST(RollingCreepageTest, TakesAShiftOfWholeCellsWithTheDigitsThatAMessageGives)
+{
+  RollingCase c = sample();
+  const double cell = plan(c).contact.dx;
+  c.shift = 2.0 * cell * (1.0 + 5e-6);
+  const RollingPlan p = plan(c);
+  ASSERT_EQ(p.contact.dx, cell);
+  EXPECT_EQ(p.shift, 2.0 * cell);
+}
+
 TEST(RollingCreepageTest, RefusesWhatDoesNotGoTogether)
 {
   EXPECT_NO_THROW(static_cast<void>(plan(sample())));
@@ -61,6 +71,7 @@ TEST(RollingCreepageTest, RefusesWhatDoesNotGoTogether)
   expect_refused("rolling.spin", "half-length", [](auto& c) { c.creepage->spin = -1e6; });
   expect_refused("rolling.shift", "whole multiples", [](auto& c) { c.shift = 1.5 * plan(sample()).shift; });
   expect_refused("rolling.shift", "whole multiples", [](auto& c) { c.shift = 0.5 * plan(sample()).shift; });
+  expect_refused("rolling.shift", "whole multiples", [](auto& c) { c.shift = 1.001 * plan(sample()).shift; });
   expect_refused("rolling.spin", "without ends",
                  [](auto& c)
                  {
