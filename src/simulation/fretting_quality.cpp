@@ -57,7 +57,7 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   const bool is_thin = across && *across < fewest_across_ring;
   Documented slip{"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0};
   if (is_thin)
-    heat.further = slip.further = error_of_thin_ring(*across);
+    heat.further = slip.further = f.worn_depth.further = error_of_thin_ring(*across);
   if (c.kind != FrettingCase::Kind::force)
     f.documented.push_back(
         {"largest force along the surface", "cycles[*].max_force_N", is_thin ? 0.01 : 0.005, 8.0, 1.0});
@@ -67,6 +67,8 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   f.documented.push_back(slip);
   f.slides =
       c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
+  if (!f.slides) // the rim of the contact wears most
+    f.worn_depth.error = 0.06;
   return f;
 }
 

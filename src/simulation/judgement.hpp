@@ -37,6 +37,9 @@ struct Documented
 /// Facts about a run of any scenario that the rules need.
 struct Facts
 {
+  Documented temperature_rise{"temperature rise", "", 0.015, 8.0, 1.0, Documented::Of::elastic_contact, 0.2};
+  Documented worn_depth{"worn depth", "wear.max_depth_*_m", 0.015, 8.0, 1.0, Documented::Of::elastic_contact,
+                        0.3}; ///< without sticking
   std::vector<Documented> documented;
   bool forgets_if_elastic =
       false; ///< without plastic strain a step does not depend on earlier ones: there is no friction
@@ -54,7 +57,9 @@ struct Facts
   std::optional<double> cells_per_wave; ///< cells per shortest wave, for rough flats over a period
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
-  bool is_heated = false;          ///< by friction
+  bool is_heated = false;  ///< by friction or a source
+  bool has_source = false; ///< of heat, other than friction
+  bool wears = false;
   bool has_thermal_stress = false; ///< which is part of the yield condition
   std::optional<double>
       passing_time; ///< in which the contact passes a point of the body over which it moves faster [s]

@@ -65,6 +65,17 @@ std::optional<double> growth_of_lower(const RunTotals& seen)
   return std::sqrt(std::max(1.0, upper / lower)); // docs/verification.md (expected error)
 }
 
+/// All that the tables know about the quantities of the run.
+std::vector<Documented> all_documented(const Facts& f)
+{
+  std::vector<Documented> all = f.documented;
+  if (f.is_heated && !f.has_source)
+    all.push_back(f.temperature_rise);
+  if (f.wears)
+    all.push_back(f.worn_depth);
+  return all;
+}
+
 /// @param seen  by the run; null before it
 std::vector<ExpectedError> expected_errors(const Facts& f, double of_contact, const RunTotals* seen)
 {
@@ -76,7 +87,7 @@ std::vector<ExpectedError> expected_errors(const Facts& f, double of_contact, co
   const std::optional<double> of_lower = seen ? growth_of_lower(*seen) : 1.0;
   const double of_steps = error_of_steps(f);
   std::vector<ExpectedError> errors;
-  for (const Documented& d : f.documented)
+  for (const Documented& d : all_documented(f))
     if ((yields || d.of == Documented::Of::elastic_contact) && (of_lower || !d.is_of_lower))
     {
       const double from_cells =
@@ -285,6 +296,8 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.textures = {&lower.texture, &upper.texture};
   f.materials = {&lower.material, &upper.material};
   f.is_heated = is_heated(numerics, lower, upper);
+  f.has_source = numerics.heat.source.exists();
+  f.wears = numerics.wear.wears();
   f.has_thermal_stress = numerics.heat.stress;
   f.friction = numerics.friction.coefficient;
   f.shear_limit = numerics.friction.shear_limit.value_or(f.shear_limit);

@@ -244,6 +244,53 @@ TEST(ExpectedErrors, OfCreepForcesAreThoseOfTheResultant)
   EXPECT_EQ(of_force(0.0, 0.0).relative, 1.0);
 }
 
+TEST(ExpectedErrors, OfHeatAndWearAreThoseOfElasticBodiesAsWell)
+{
+  RollingCase c = ball_on_flat();
+  c.lower.material.hardening.reset();
+  c.slide_to_roll = 0.1;
+  c.friction.coefficient = 0.1;
+  RunTotals t = good_totals(c);
+  t.coverage.plastic_layers = 0;
+  const auto found = [&](const char* quantity) { return find(quality(c, plan(c), t), quantity); };
+  EXPECT_FALSE(found("temperature rise") || found("worn depth"));
+  c.wear.lower = 1e-15;
+  ASSERT_TRUE(found("worn depth"));
+  EXPECT_EQ(found("worn depth")->name, "wear.max_depth_*_m");
+  EXPECT_FALSE(found("temperature rise"));
+  c.wear = {};
+  c.speed = 1.0;
+  c.lower.material.thermal = c.upper.material.thermal = Thermal{50.0, 7850.0, 460.0, 12e-6};
+  ASSERT_TRUE(found("temperature rise"));
+  t.coverage.contact_columns *= 2;
+  t.coverage.contact_rows *= 2;
+  const double fine = found("temperature rise")->relative;
+  t.coverage.contact_columns /= 2;
+  EXPECT_DOUBLE_EQ(found("temperature rise")->relative, 2.0 * fine) << "first order in the cells along the motion";
+  c.heat.source.shape = elastoplastic::HeatSource::Shape::contact;
+  c.heat.source.power = 1.0;
+  EXPECT_FALSE(found("temperature rise")) << "the tables are for friction";
+}
+
+TEST(ExpectedErrors, OfTheRimThatWearsInFrettingAreLarger)
+{
+  FrettingCase c;
+  c.lower = c.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, {}}};
+  c.press = {contact::Drive::Kind::load, 2.0};
+  c.friction.coefficient = 0.3;
+  c.wear.lower = 1e-15;
+  c.amplitude = 1e-7;
+  const double sliding = plan(c).sliding_displacement;
+  const auto of_amplitude = [&](double share)
+  {
+    c.amplitude = share * sliding;
+    return error(quality(c, plan(c), totals(8, 0)), "worn depth");
+  };
+  EXPECT_DOUBLE_EQ(of_amplitude(2.0), 0.015);
+  EXPECT_DOUBLE_EQ(of_amplitude(0.8), 0.06);
+  EXPECT_GT(of_amplitude(0.1), 0.5) << "half a cell slips";
+}
+
 TEST(ExpectedErrors, OfAThinRingOfSlipGrow)
 {
   FrettingCase c;
