@@ -194,17 +194,17 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
 
 // docs/verification.md (expected error)
 using Of = Documented::Of;
-constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::contact, 0.05};
+constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::elastic_contact, 0.05};
 constexpr Documented documented[] = {
     {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5, Of::plastic_zone, 0.06, true},
-    {"hardness", "indents[*].hardness_Pa", 0.03, 5.6, 1.0, Of::contact, 0.04},
+    {"hardness", "indents[*].hardness_Pa", 0.03, 5.6, 1.0, Of::elastic_contact, 0.04},
     {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5, Of::plastic_zone, 0.08, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone},
     {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0, Of::contact, 0.1}};
 /// Under a tip, whose largest strain grows without bound as cells get finer.
 constexpr Documented documented_of_tips[] = {
     {"residual depth", "indents[*].residual_depth_m", 0.08, 5.6, 1.0, Of::plastic_zone, 0.06, true},
-    {"hardness", "indents[*].hardness_Pa", 0.08, 5.6, 2.0, Of::contact, 0.1},
+    {"hardness", "indents[*].hardness_Pa", 0.08, 5.6, 2.0, Of::elastic_contact, 0.1},
     {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, Of::plastic_zone, 0.3, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone}};
 

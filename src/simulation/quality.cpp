@@ -85,7 +85,7 @@ std::vector<ExpectedError> expected_errors(const Facts& f, double of_contact, co
   const bool yields = seen ? layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
   const double of_zone = layers > 0 ? std::min(of_contact, layers / layers_per_cell) : of_contact;
   const std::optional<double> of_lower = seen ? growth_of_lower(*seen) : 1.0;
-  const double of_steps = error_of_steps(f);
+  const double of_steps = !yields && f.forgets_if_elastic ? 0.0 : error_of_steps(f);
   std::vector<ExpectedError> errors;
   for (const Documented& d : all_documented(f))
     if ((yields || d.of == Documented::Of::elastic_contact) && (of_lower || !d.is_of_lower))

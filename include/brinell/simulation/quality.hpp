@@ -42,7 +42,7 @@ struct Resolution
   /// For rough flats over a period: cells per shortest wave (for a height map, two of its points). Their contact consists of many
   /// patches without a common radius (NaN above), and the tables, which are for single indents, do not apply.
   std::optional<double> cells_per_wave{};
-  std::vector<ExpectedError> expected_errors{}; ///< without plastic strain only those of creep, heat and wear
+  std::vector<ExpectedError> expected_errors{}; ///< without plastic strain only those of elastic contacts
 };
 
 struct Quality

@@ -127,6 +127,27 @@ TEST(ExpectedErrors, OfAnIndentWithFewStepsAreLarger)
   }
 }
 
+TEST(ExpectedErrors, OfElasticBodiesAreThoseOfTheirForces)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  c.lower.material.hardening.reset();
+  const Quality of_many = quality(c, plan(c), totals(10, 0));
+  EXPECT_TRUE(find(of_many, "load") && find(of_many, "hardness"));
+  EXPECT_FALSE(find(of_many, "residual depth") || find(of_many, "largest plastic strain"));
+  c.steps = 1;
+  EXPECT_DOUBLE_EQ(error(quality(c, plan(c), totals(10, 0)), "load"), error(of_many, "load")) << "without a history";
+
+  FrettingCase f;
+  f.lower = f.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, {}}};
+  f.press = {contact::Drive::Kind::load, 2.0};
+  f.friction.coefficient = 0.3;
+  f.amplitude = 1e-7;
+  const Quality of_fretting = quality(f, plan(f), totals(10, 0));
+  for (const char* quantity : {"largest force along the surface", "heat of friction", "slip amplitude"})
+    EXPECT_TRUE(find(of_fretting, quantity)) << quantity;
+  EXPECT_FALSE(find(of_fretting, "plastic work"));
+}
+
 TEST(ExpectedErrors, OfALongShiftAreLarger)
 {
   RollingCase c = ball_on_flat();
