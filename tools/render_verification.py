@@ -72,17 +72,24 @@ def bounds(entry: dict) -> tuple[str, str]:
     return f"{number(low)} … {number(high)}", ""
 
 
-def rendered(record: dict) -> str:
-    # The parameters of one test share its table.
+def rendered(record: dict, tests: dict[tuple[str, str], bool]) -> str:
+    place = {test: i for i, test in enumerate(tests)}
+
+    def as_in_source(recorded: tuple[str, str, dict]) -> tuple:
+        suite, test, _ = recorded
+        parameter = test.partition("/")[2]
+        return place.get(in_source(suite, test), len(place)), int(parameter) if parameter.isdigit() else 0, parameter
+
+    # The parameters of one test share its table. The record has the order in which the tests have ended.
     suites: dict[str, dict[str, dict]] = {}
-    for suite, tests in record.items():
-        for test, entries in tests.items():
-            section, table = map(words, in_source(suite, test))
-            suites.setdefault(section, {}).setdefault(table, {}).update(entries)
+    all_tests = [(suite, test, entries) for suite, of_suite in record.items() for test, entries in of_suite.items()]
+    for suite, test, entries in sorted(all_tests, key=as_in_source):
+        section, table = map(words, in_source(suite, test))
+        suites.setdefault(section, {}).setdefault(table, {}).update(entries)
     lines = []
-    for suite, tests in sorted(suites.items()):
+    for suite, of_suite in sorted(suites.items()):
         lines += [f"### {suite}", ""]
-        for test, entries in tests.items():
+        for test, entries in of_suite.items():
             lines += [f"**{test}**", "", "| what | measured | expected | tolerance | origin |",
                       "| --- | --- | --- | --- | --- |"]
             for name, entry in entries.items():
@@ -98,8 +105,9 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     record = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
-    tables = rendered(record)
-    unlike = differences(record, tests_of(TESTS))
+    tests = tests_of(TESTS)
+    tables = rendered(record, tests)
+    unlike = differences(record, tests)
     for line in unlike:
         print(line, file=sys.stderr)
     if unlike and len(sys.argv) == 3:

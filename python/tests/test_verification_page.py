@@ -49,10 +49,25 @@ RECORD = {
 
 
 def test_each_suite_has_a_section_and_parameters_share_a_table(tool: ModuleType) -> None:
-    lines = tool.rendered(RECORD).splitlines()
+    lines = tool.rendered(RECORD, {}).splitlines()
     assert [line for line in lines if line.startswith("#")] == ["### Accuracy", "### Plane strain"]
     assert lines.count("**Of the interval**") == 1
     assert "| pressure | 1.02 | 1 | ± 0.1 | exact |" in lines
+
+
+def test_tests_stand_in_the_order_of_their_source_whichever_ended_first(tool: ModuleType, tmp_path: Path) -> None:
+    (tmp_path / "plane_test.cpp").write_text(SOURCE)
+    record = {
+        "PlaneStrain": {"LeavesNoNumber": {"b": CLOSE}, "ElasticCylinder": {"a": CLOSE}},
+        "Cases/Accuracy": {f"OfTheInterval/{i}": {f"x{i}": WITHIN} for i in (10, 2, 0)},
+    }
+    lines = tool.rendered(record, tool.tests_of(tmp_path)).splitlines()
+    assert [line for line in lines if line.startswith("**")] == [
+        "**Of the interval**",
+        "**Elastic cylinder**",
+        "**Leaves no number**",
+    ]
+    assert [line.split()[1] for line in lines if line.startswith("| x")] == ["x0", "x2", "x10"]
 
 
 def test_what_differs_from_the_tests_is_told(tool: ModuleType, tmp_path: Path) -> None:
