@@ -251,18 +251,34 @@ constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1
 /// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
 constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Documented::Of::elastic_contact};
 
-std::vector<Documented> documented(bool is_loaded)
+constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documented::Of::plastic_zone, 0.5};
+constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact, 1.0};
+constexpr Documented resistance{
+    "F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Documented::Of::contact, 1.0};
+
+/// Share of the work that is not friction; 1 before the run.
+double share_of_ploughing(const RunTotals* totals)
 {
-  return {is_loaded ? peak_under_load : peak_force,
-          {"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documented::Of::plastic_zone, 0.5},
-          {"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact, 1.0},
-          {"F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Documented::Of::contact, 1.0}};
+  return totals && totals->work > 0.0 ? std::clamp(1.0 - totals->dissipation_friction / totals->work, 0.0, 1.0) : 1.0;
 }
 
-Facts facts(const TuggingCase& c, const TuggingPlan& plan)
+/// The error of a quantity to which friction contributes. That of friction is the error of the normal force, which is small.
+Documented with_friction(Documented error, double ploughing)
+{
+  constexpr double of_cells = 0.004, of_steps = 0.003;
+  error.error = ploughing * error.error + (1.0 - ploughing) * of_cells;
+  error.of_steps *= ploughing;
+  error.further = (1.0 - ploughing) * of_steps;
+  return error;
+}
+
+/// @param totals  of the run; null before it
+Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* totals = nullptr)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
-  f.documented = documented(c.load.has_value());
+  const double ploughing = share_of_ploughing(totals);
+  f.documented = {c.load ? peak_under_load : peak_force, dents, with_friction(net_energy, ploughing),
+                  with_friction(resistance, ploughing)};
   f.moves = f.slides = true;
   if (c.shift)
     f.shift = plan.shift;
@@ -289,7 +305,7 @@ Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
 
 Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals)
 {
-  return quality_after(facts(tugging, plan), totals);
+  return quality_after(facts(tugging, plan, &totals), totals);
 }
 
 template <>

@@ -76,6 +76,30 @@ TEST(ExpectedErrors, AreNotStatedOfWhatIsGiven)
   EXPECT_EQ(find(expected_quality(t, plan(t)), "peak F_X")->name, "forces.peak_F_X_N");
 }
 
+TEST(ExpectedErrors, OfTuggingThatIsMostlyFrictionAreThoseOfTheNormalForce)
+{
+  TuggingCase t;
+  t.lower = t.upper = {Paraboloid{1e-3, 1e-3}, {{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}}};
+  t.interference = 1e-6;
+  t.friction.coefficient = 0.1;
+  RunTotals seen = totals(8, 25);
+  seen.work = 1.0;
+  const auto found = [&](double friction, const char* quantity)
+  {
+    seen.dissipation_friction = friction;
+    return error(quality(t, plan(t), seen), quantity);
+  };
+  for (const char* quantity : {"net energy", "F_X at alignment"})
+  {
+    const double ploughing = found(0.0, quantity), rubbing = found(1.0, quantity);
+    EXPECT_LT(rubbing, 0.01) << quantity;
+    EXPECT_GT(ploughing, 0.03) << quantity;
+    EXPECT_NEAR(found(0.5, quantity), 0.5 * (ploughing + rubbing), 1e-12) << quantity;
+    EXPECT_GT(error(expected_quality(t, plan(t)), quantity), rubbing) << "not known before the run";
+  }
+  EXPECT_DOUBLE_EQ(found(1.0, "dents"), found(0.0, "dents"));
+}
+
 TEST(ExpectedErrors, OfTipsHaveNoLargestStrain)
 {
   const IndentationCase cone = indent(Cone{1.4, 0.0}), ball = indent(Paraboloid{1e-3, 1e-3});
