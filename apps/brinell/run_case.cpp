@@ -132,8 +132,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
   info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
-  LevelReport report{{}, {before.cells, {plan.contact.dx, plan.contact.dy, plan.lower.dz}, {}}, {}};
-  report.level.numbers = io::numbers_of(io::summary_text(c, plan, summary, info));
+  LevelReport report{{}, io::level_of(io::summary_text(c, plan, summary, info), before.cells), {}};
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));
 

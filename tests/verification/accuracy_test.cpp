@@ -24,7 +24,8 @@ io::Level run_with(const io::Case& given, double cells)
       {
         const auto summary = simulation::run(scenario);
         const auto plan = simulation::plan(scenario);
-        return io::level_of(io::summary_text(c, plan, summary, {}), cells);
+        const io::RunInfo info{.quality = simulation::quality(scenario, plan, summary)};
+        return io::level_of(io::summary_text(c, plan, summary, info), cells);
       },
       c.scenario);
 }

@@ -21,6 +21,7 @@ struct Level
   double cells = 1.0; ///< cell size relative to that of the case as given
   Vector3 spacing{};  ///< [m]
   Numbers numbers;
+  std::map<std::string, double> stated_errors; ///< that the run itself has stated, by quantity
 };
 
 /// Result of a series.

@@ -136,11 +136,27 @@ double expected_error(const std::vector<simulation::ExpectedError>& errors, std:
   return 0.0;
 }
 
+/// Expected errors of a run of the series: those that it has stated itself, which know the contact as it was, otherwise those before
+/// it.
+std::vector<simulation::ExpectedError> expected_errors(const Case& c, const Level& level)
+{
+  auto errors = std::visit([](const auto& scenario)
+                           { return simulation::expected_quality(scenario, simulation::plan(scenario)); },
+                           with_cells(c, level.cells).scenario)
+                    .resolution.expected_errors;
+  for (simulation::ExpectedError& error : errors)
+    if (const auto stated = level.stated_errors.find(error.quantity); stated != level.stated_errors.end())
+      error.relative = stated->second;
+  return errors;
+}
+
 } // namespace
 
 Level level_of(const std::string& summary, double cells)
 {
-  return {cells, Json::parse(summary).at("grid").at("spacing_m").get<Vector3>(), numbers_of(summary)};
+  const Json json = Json::parse(summary);
+  return {cells, json.at("grid").at("spacing_m").get<Vector3>(), numbers_of(summary),
+          json.value("/resolution/expected_errors"_json_pointer, std::map<std::string, double>{})};
 }
 
 Numbers numbers_of(const std::string& summary)
@@ -169,10 +185,7 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
   std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.cells; });
   const Numbers& finest = levels.back().numbers;
   const auto largest = largest_by_unit(c, finest);
-  const auto errors = std::visit([](const auto& scenario)
-                                 { return simulation::expected_quality(scenario, simulation::plan(scenario)); },
-                                 with_cells(c, levels.back().cells).scenario)
-                          .resolution.expected_errors;
+  const auto errors = expected_errors(c, levels.back());
   for (const auto& [name, value] : finest)
   {
     std::vector<double> values;
