@@ -3,30 +3,18 @@
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/sharing.hpp"
-#include "heat_partition.hpp"
-#include "heated_side.hpp"
-#include "touching_cells.hpp"
+#include "heating_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <list>
 
 namespace brinell::elastoplastic
 {
 
 namespace
 {
-
-/// Arguments of the constructor, from which the sides are built again when a checkpoint has other thermal grids.
-struct Plan
-{
-  std::array<Heating::Partner, 2> bodies; ///< with the grids at the start of the run
-  HeatedRun run;
-  Twin twin;
-  HeatNumerics numerics;
-};
 
 /// The material grids of a resumed run may have grown, but the thermal grids follow from the initial material grids, which
 /// therefore are stored.
@@ -46,52 +34,6 @@ void exchange_grids(Archive& archive, std::array<Heating::Partner, 2>& bodies)
   }
 }
 
-} // namespace
-
-struct Heating::State
-{
-  SurfaceGrid contact;
-  Plan plan;
-  std::array<HeatedSide, 2> sides;
-  double copies; ///< number of bodies that each solved body represents: 2 for twins
-  HeatSettings settings = plan.run.settings;
-  std::vector<double> imposed = flux_on(settings.source, contact); ///< flux of a source on one body [W/m^2]
-  /// Response of the sum of both surface temperatures to a flux into both bodies, for a pair of motions.
-  struct BothResponses
-  {
-    std::array<halfspace::HeatMotion, 2> motions;
-    halfspace::HeatResponse response;
-    halfspace::HeatResponse::Scratch scratch;
-  };
-  std::list<BothResponses> cached_responses{}; ///< cache, most recently used first
-  // Of the current increment
-  double duration = 0.0, slid = 0.0;
-  std::vector<double> shear_at_start{}, pressure_before{};
-  bool is_source_on = false; ///< whether a source acts
-  TouchingCells touching{};
-  // Since the start [J]
-  double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_pressure = 0.0;
-  int most_held = 0; ///< largest number of held cells in an increment
-  double heat_passed = 0.0,
-         heat_of_held = 0.0; ///< through the surfaces, and the part of it through held cells that are open
-
-  [[nodiscard]] bool is_source_between() const
-  {
-    return is_source_on && settings.source.shape == HeatSource::Shape::contact;
-  }
-  [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
-  void add_heat_without_flux(double heat);
-  void count_held();
-  [[nodiscard]] bool is_parted(std::span<const double> pressure) const;
-  [[nodiscard]] BothResponses& combined_response();
-  [[nodiscard]] double share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing);
-  [[nodiscard]] std::vector<double> exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
-                                                   Sharing sharing);
-};
-
-namespace
-{
-
 void require_conductors(const std::array<Heating::Partner, 2>& bodies)
 {
   if (!bodies[0].material.thermal && !bodies[1].material.thermal)
@@ -101,7 +43,7 @@ void require_conductors(const std::array<Heating::Partner, 2>& bodies)
       throw InputError("Heating: a body that deforms has no thermal constants");
 }
 
-std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const Plan& plan)
+std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const HeatingPlan& plan)
 {
   const auto& bodies = plan.bodies;
   const auto heat_of = [&](const Heating::Partner& body)
@@ -133,7 +75,7 @@ Heating::Heating(const SurfaceGrid& contact, const std::array<Partner, 2>& bodie
     if (!bodies.at(source.side()).material.thermal)
       throw InputError("Heating: the body of the source has no thermal constants");
   }
-  const Plan plan{bodies, run, twin, numerics};
+  const HeatingPlan plan{bodies, run, twin, numerics};
   state_ = make_hidden<State>(contact, plan, sides_of(contact, plan), twin == Twin::none ? 1.0 : 2.0);
 }
 
@@ -152,128 +94,6 @@ void Heating::begin(const Start& start)
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration,
                         start.slid > 0.0 || s.is_source_between(),
                         is_heated ? std::span<const double>(s.imposed) : std::span<const double>());
-  }
-}
-
-Heating::State::BothResponses& Heating::State::combined_response()
-{
-  const std::array<halfspace::HeatMotion, 2> motions{sides[0].motion(), sides[1].motion()};
-  const auto known = std::find_if(cached_responses.begin(), cached_responses.end(),
-                                  [&](const BothResponses& both) { return both.motions == motions; });
-  if (known != cached_responses.end())
-  {
-    cached_responses.splice(cached_responses.begin(), cached_responses, known);
-    return cached_responses.front();
-  }
-  constexpr std::size_t max_cached = 6;
-  if (cached_responses.size() == max_cached)
-    cached_responses.pop_back();
-  auto response = halfspace::HeatResponse::of_both(sides[0].temperature_response(), sides[1].temperature_response());
-  auto scratch = response.make_scratch();
-  cached_responses.push_front({motions, std::move(response), std::move(scratch)});
-  return cached_responses.front();
-}
-
-/// Flux into the lower body where the surfaces touch and exchange heat: a share s of the friction heat q, plus the flux through
-/// the conductance h,
-///   q_lower = s q + h (T_upper + R_upper (q - q_lower) - T_lower - R_lower q_lower).
-/// The equation is solved divided by h, so that without resistance (1/h = 0) both surfaces get the same temperature.
-std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& heat, std::span<const double> pressure,
-                                                   Sharing sharing)
-{
-  HeatedSide &lower = sides[0], &upper = sides[1];
-  const double resistance = settings.conductance ? 1.0 / *settings.conductance : 0.0;
-  const double resisted_share = resistance * settings.share();
-  std::vector<double> rhs(heat.size());
-  const std::vector<bool> pressed = touching.find(heat, pressure);
-  upper.find_rise(heat, rhs);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < rhs.size(); ++i)
-  {
-    rhs[i] += upper.remaining()[i] - lower.remaining()[i] + resisted_share * heat[i];
-    if (pressed[i])
-      largest = std::max(largest, std::abs(rhs[i]));
-  }
-  if (largest == 0.0)
-    return std::vector<double>(heat.size(), 0.0);
-  BothResponses& both = combined_response();
-  const FieldOperator apply_both = [&](std::span<const double> in, std::span<double> out)
-  {
-    both.response.apply(in, out, both.scratch);
-    for (std::size_t i = 0; i < in.size(); ++i)
-      out[i] += resistance * in[i];
-  };
-  const double tolerance =
-      sharing == Sharing::fine ? 1e-6 : 1e-3; // relative to the temperature difference that the partition removes
-  std::vector<double> flux = lower.share();
-  if (!solve_in_cells(apply_both, rhs, pressed, tolerance * largest, flux))
-    throw ConvergenceError(
-        "the partition of the heat between the surfaces has not converged: their temperatures still differ");
-  return flux;
-}
-
-/// Whether the surfaces have been lifted off each other, without sliding, by the end of the increment. Such an increment may
-/// include the way back to the start of the track, during which no heat passes between them.
-bool Heating::State::is_parted(std::span<const double> pressure) const
-{
-  return slid == 0.0 && std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0.0; });
-}
-
-/// Partitions the heat between the bodies and sets their fluxes.
-/// @param heat  flux of heat into both bodies together [W/m^2]
-/// @returns the largest change of the thermal displacement, summed over both sides [m]
-double Heating::State::share_flux(const std::vector<double>& heat, std::span<const double> pressure, Sharing sharing)
-{
-  auto& [lower, upper] = sides;
-  std::vector<double> into_lower(heat.size());
-  if (!upper.conducts())
-    into_lower = heat;
-  else if (lower.conducts() && settings.exchanges() && !is_parted(pressure))
-    into_lower = exchanged_flux(heat, pressure, sharing);
-  else if (lower.conducts())
-    std::transform(heat.begin(), heat.end(), into_lower.begin(), [&](double q) { return settings.share() * q; });
-  std::vector<double> into_upper(heat.size());
-  for (std::size_t i = 0; i < heat.size(); ++i)
-    into_upper[i] = heat[i] - into_lower[i];
-  return lower.set_share(into_lower) + upper.set_share(into_upper);
-}
-
-/// Adds the flux of a source between the surfaces: its power, distributed as the pressure; the mean of the beginning and the end
-/// of the increment, as for friction.
-/// @returns the power that acts [W]: zero where the surfaces do not touch
-double Heating::State::add_source_between(std::span<const double> pressure, std::vector<double>& heat) const
-{
-  if (!is_source_between())
-    return 0.0;
-  const double before = sum(pressure_before), now = sum(pressure);
-  const int ends = (before > 0.0 ? 1 : 0) + (now > 0.0 ? 1 : 0);
-  if (ends == 0)
-    return 0.0;
-  const double each = *settings.source.power / (ends * contact.cell_area());
-  for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] += each * ((before > 0.0 ? pressure_before[i] / before : 0.0) + (now > 0.0 ? pressure[i] / now : 0.0));
-  return *settings.source.power;
-}
-
-/// Adds heat that is not applied as a flux to the totals of the bodies, by the given partition [J].
-void Heating::State::add_heat_without_flux(double heat)
-{
-  const double lower = !sides[1].conducts() ? 1.0 : sides[0].conducts() ? settings.share() : 0.0;
-  sides[0].add_heat_without_flux(lower * heat);
-  sides[1].add_heat_without_flux((1.0 - lower) * heat);
-}
-
-/// After the last partition of an increment: counts the cells that it held in contact, and the heat through them.
-void Heating::State::count_held()
-{
-  most_held = std::max(most_held, touching.held());
-  const double per_flux = duration * contact.cell_area();
-  const std::span<const double> lower = sides[0].share(), upper = sides[1].share();
-  for (std::size_t i = 0; i < contact.size(); ++i)
-  {
-    const double passed = std::max(std::abs(lower[i]), std::abs(upper[i])) * per_flux;
-    heat_passed += passed;
-    heat_of_held += touching.is_held_open(i) ? passed : 0.0;
   }
 }
 

@@ -10,6 +10,23 @@
 namespace brinell::simulation
 {
 
+// Limits on cells and steps; with them an error is some percent in the tables of docs/verification.md.
+inline constexpr double fewest_cells = 6.0; ///< per contact radius
+inline constexpr double fewest_cells_across =
+    3.0; ///< across the motion, where cells twice as long cost only half a percent of the net energy
+inline constexpr double longest_share_of_radius = 0.25; ///< step over contact radius
+
+/// Cells per radius to compare with the tables, whose cells are up to twice as long across the motion as along it.
+[[nodiscard]] double deciding_cells(const Facts& facts, const Resolution& resolution);
+
+/// Relative error of quantities with Documented::of_steps = 1, which are energies. A shift of one cell is part of the tables of cells.
+[[nodiscard]] double error_of_steps(const Facts& facts);
+
+/// Resolution with the errors to expect.
+/// @param cells_x, cells_y  per half-width of the contact
+/// @param seen  by the run; null before it
+[[nodiscard]] Resolution resolution_of(const Facts& facts, double cells_x, double cells_y, const RunTotals* seen);
+
 /// "1.23 nm"
 [[nodiscard]] std::string length_text(double metres);
 
