@@ -187,7 +187,8 @@ std::string length_text(double metres)
 
 std::string percent_text(double share)
 {
-  return fmt::format("{:.2g} %", 100.0 * share);
+  const double percent = 100.0 * share;
+  return std::abs(percent) < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
 Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, const Plan& plan,

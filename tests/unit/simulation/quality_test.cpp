@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "quality_cases.hpp"
+#include "simulation/judgement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,14 @@ TEST(Quality, ExpectedErrorsFollowTheTables)
   t.coverage.contact_columns = t.coverage.contact_rows = 1;
   for (const ExpectedError& e : quality(c, plan(c), t).resolution.expected_errors)
     EXPECT_LE(e.relative, 1.0);
+}
+
+TEST(Quality, PercentsAreNeverPowersOfTen)
+{
+  EXPECT_EQ(percent_text(0.0254), "2.5 %");
+  EXPECT_EQ(percent_text(0.994), "99 %");
+  EXPECT_EQ(percent_text(0.996), "100 %");
+  EXPECT_EQ(percent_text(3.57), "357 %");
 }
 
 TEST(Quality, CoarseDepth)
