@@ -223,8 +223,8 @@ void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, i
     info.quality.warnings.push_back(
         {"accuracy_missed",
          fmt::format(
-             "the requested accuracy of {:.3g} % is not reached: the largest error of the key numbers is {:.2g} %, {}",
-             100.0 * report.accuracy->asked, 100.0 * report.accuracy->error,
+             "the requested accuracy of {:.3g} % is not reached: the largest error of the key numbers is {}, {}",
+             100.0 * report.accuracy->asked, simulation::percent_text(report.accuracy->error),
              io::accuracy_advice(c, *report.accuracy))});
   info.accuracy = report.accuracy;
 }
@@ -237,17 +237,17 @@ RunReport run_series(const io::Case& c, const RunOptions& options, const RunMoni
 std::string accuracy_text(const io::Accuracy& a)
 {
   std::string text =
-      fmt::format("accuracy {:.3g} % {}: {:.2g} % from {} runs\n{:<28} {:>13} {:>8} {:>6} {:>13}   {:>13} .. {:<13}\n",
-                  100.0 * a.asked, a.reached ? "reached" : "not reached", 100.0 * a.error, a.levels.size(), "number",
-                  "value", "error", "order", "extrapolated", "low", "high");
+      fmt::format("accuracy {:.3g} % {}: {} from {} runs\n{:<28} {:>13} {:>8} {:>6} {:>13}   {:>13} .. {:<13}\n",
+                  100.0 * a.asked, a.reached ? "reached" : "not reached", simulation::percent_text(a.error),
+                  a.levels.size(), "number", "value", "error", "order", "extrapolated", "low", "high");
   for (const std::string& name : a.key_numbers)
   {
     const simulation::Convergence& n = a.numbers.at(name);
     const auto number = [](double x, const char* form)
     { return std::isnan(x) ? "-" : fmt::format(fmt::runtime(form), x); };
-    text += fmt::format("{:<28} {:>13.6e} {:>6.2g} % {:>6} {:>13}   {:>13.6e} .. {:<13.6e}\n", name, n.value,
-                        100.0 * n.relative_error, number(n.order, "{:.2g}"), number(n.extrapolated, "{:.6e}"), n.low,
-                        n.high);
+    text += fmt::format("{:<28} {:>13.6e} {:>8} {:>6} {:>13}   {:>13.6e} .. {:<13.6e}\n", name, n.value,
+                        simulation::percent_text(n.relative_error), number(n.order, "{:.2g}"),
+                        number(n.extrapolated, "{:.6e}"), n.low, n.high);
   }
   return text;
 }

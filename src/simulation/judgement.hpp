@@ -86,7 +86,4 @@ struct Facts
 [[nodiscard]] Quality quality_after(const Facts& facts, const RunTotals& totals,
                                     std::optional<Warning> of_course = std::nullopt);
 
-/// "2.5 %", "360 %"
-[[nodiscard]] std::string percent_text(double share);
-
 } // namespace brinell::simulation

@@ -51,6 +51,9 @@ struct Quality
   Resolution resolution;
 };
 
+/// A share with two digits: "2.5 %"; above 99 % with all of its digits: "357 %".
+[[nodiscard]] std::string percent_text(double share);
+
 /// One line: "resolution: 9.5 x 9.5 cells per contact radius, 14 layers ...".
 [[nodiscard]] std::string resolution_text(const Resolution& resolution);
 

@@ -18,8 +18,8 @@ std::string friction_text(const simulation::RunTotals& s)
     return {};
   std::string text = fmt::format("friction  {:>13.6e} J of heat", s.dissipation_friction);
   if (s.max_share_at_shear_limit > 0.0)
-    text += fmt::format("; shear at the limit of the surface in up to {:.2g} % of the contact",
-                        100.0 * s.max_share_at_shear_limit);
+    text += fmt::format("; shear at the limit of the surface in up to {} of the contact",
+                        simulation::percent_text(s.max_share_at_shear_limit));
   return text + "\n";
 }
 

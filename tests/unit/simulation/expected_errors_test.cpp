@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which expected errors a result states, and where the tables of convergence do not hold: docs/verification.md (expected error).
 #include "quality_cases.hpp"
-#include "simulation/judgement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "quality_cases.hpp"
-#include "simulation/judgement.hpp"
 
 #include <gtest/gtest.h>
 
