@@ -189,8 +189,14 @@ TEST_F(QualityOfRuns, AnAccuracyThatIsMissedIsTold)
   EXPECT_EQ(read.at("warnings").back().at("key"), "accuracy_missed");
   const auto advice = read.at("warnings").back().at("text").get<std::string>();
   for (const char* part : {"the requested accuracy of 0.0001 % is not reached", "indents[0].", ", in ",
-                           "a larger grid.resolution", "more steps than indentation.steps = ", "would reduce it"})
+                           "a larger grid.resolution", "would reduce it"})
     EXPECT_NE(advice.find(part), std::string::npos) << part << "\n  in: " << advice;
+  EXPECT_EQ(advice.find("indentation.steps"), std::string::npos) << "six steps are enough: " << advice;
+  const Outcome of_few = run({"run", "case.toml", "-o", "few", "-q", "--set", "grid.resolution=2", "--set",
+                              "indentation.steps=2", "--set", "solver.accuracy=0.0001 %"});
+  ASSERT_EQ(of_few.exit_code, 0) << of_few.err;
+  EXPECT_NE(of_few.err.find("more steps than indentation.steps = 2, which the series keeps"), std::string::npos)
+      << of_few.err;
 }
 
 TEST_F(QualityOfRuns, BadAccuracies)

@@ -213,8 +213,12 @@ std::string accuracy_advice(const Case& c, const Accuracy& accuracy)
   std::string text = worst == accuracy.key_numbers.end() ? "" : fmt::format("in {}; ", *worst);
   text +=
       c.values.find("grid.spacing") ? "a smaller grid.spacing to start with" : "a larger grid.resolution to start with";
-  const std::string steps(std::visit([](const auto& scenario) { return io_of(scenario).steps; }, c.scenario));
-  if (const Value* given = c.values.find(steps)) // otherwise the steps scale with the cells
+  const auto [steps, enough] = std::visit(
+      [](const auto& scenario) { return std::pair(std::string(io_of(scenario).steps), io_of(scenario).enough_steps); },
+      c.scenario);
+  const Value* given = c.values.find(steps); // null for a length if the steps scale with the cells
+  const auto* number = given ? std::get_if<std::int64_t>(given) : nullptr;
+  if (given && !(number && *number >= enough))
     text += fmt::format(", or {} than {} = {}, which the series keeps,",
                         steps.ends_with("shift") ? "a smaller step" : "more steps", steps, toml_text(*given));
   return text + " would reduce it";

@@ -69,6 +69,7 @@ struct ScenarioIo
   std::vector<std::string> (*key_numbers)(const ScenarioCase& scenario);
   /// The key that sets the size or number of the steps. If it is not given, the steps scale with the cells.
   std::string_view steps{};
+  int enough_steps = 0; ///< number of steps above which more of them change little; 0 if the key is a length
   /// The drive that is kept throughout the run, if there is a single one. Forces are compared with an imposed load.
   contact::Drive ScenarioCase::*drive_kept = nullptr;
 
