@@ -265,10 +265,11 @@ double share_of_ploughing(const RunTotals* totals)
 /// The error of a quantity to which friction contributes. That of friction is the error of the normal force, which is small.
 Documented with_friction(Documented error, double ploughing)
 {
-  constexpr double of_cells = 0.004, of_steps = 0.003;
-  error.error = ploughing * error.error + (1.0 - ploughing) * of_cells;
-  error.of_steps *= ploughing;
-  error.further = (1.0 - ploughing) * of_steps;
+  constexpr double of_cells = 0.004, of_steps = 0.05, of_usual_steps = 0.003;
+  const double rubbing = 1.0 - ploughing;
+  error.error = ploughing * error.error + rubbing * of_cells;
+  error.of_steps = ploughing * error.of_steps + rubbing * of_steps;
+  error.further = rubbing * of_usual_steps;
   return error;
 }
 
