@@ -13,7 +13,7 @@
 namespace brinell::elastoplastic
 {
 
-/// Arguments of the constructor, from which the sides are built again when a checkpoint has other thermal grids.
+/// Arguments of the constructor of Heating, from which the sides are built again when a checkpoint has other thermal grids.
 struct HeatingPlan
 {
   std::array<Heating::Partner, 2> bodies; ///< with the grids at the start of the run

@@ -208,6 +208,23 @@ constexpr Documented documented_of_tips[] = {
     {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, Of::plastic_zone, 0.3, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone}};
 
+/// Slope over the first step of unloading, to which this step adds an error of first order.
+Documented unloading_stiffness(int steps)
+{
+  Documented error{"unloading stiffness", "indents[*].unloading_stiffness_N_per_m", 0.03, 6.5, 2.0,
+                   Of::elastic_contact};
+  error.further = 0.12 / steps;
+  return error;
+}
+
+/// Whether the bodies are unloaded in more than one step, so that there is a slope.
+bool unloads(const IndentationCase& c)
+{
+  return c.steps > 1 && std::adjacent_find(c.sequence.begin(), c.sequence.end(),
+                                           [](const Drive& before, const Drive& after)
+                                           { return after.value < before.value; }) != c.sequence.end();
+}
+
 bool has_tip(const ShapedBody& body)
 {
   return std::holds_alternative<Cone>(body.shape) || std::holds_alternative<Pyramid>(body.shape);
@@ -227,6 +244,8 @@ Facts facts(const IndentationCase& c, const IndentationPlan& plan)
                                     [](const Drive& drive) { return drive.kind == Drive::Kind::load; });
   if (!is_given)
     f.documented.insert(f.documented.begin(), load);
+  if (unloads(c))
+    f.documented.push_back(unloading_stiffness(c.steps));
   f.forgets_if_elastic = true;
   f.steps = c.steps;
   return f;
