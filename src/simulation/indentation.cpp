@@ -36,7 +36,7 @@ class Indentation
 {
 public:
   Indentation(const IndentationCase& indentation, const IndentationPlan& plan)
-      : case_(indentation), steps_(plan.steps), contact_(plan.contact), current_(x(0), 1, 1, 0.0)
+      : case_(indentation), steps_(plan.steps), contact_(plan.contact), current_(x(0), 1, 0.0)
   {
   }
 
@@ -55,7 +55,8 @@ public:
     const int in_entry = in_indent % case_.steps;
     const Stepper::Distances touch = stepper.distances(here);
     if (in_indent == 0)
-      current_ = IndentReader(here.lower, place(), indent() % case_.cycles + 1, touch.smallest);
+      current_ = indent() % case_.cycles == 0 ? IndentReader(here.lower, place(), touch.smallest)
+                                              : current_.next_cycle(touch.smallest);
     if (in_entry == 0)
       begin_entry(in_indent, touch);
     if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifting off, from the surfaces with their residual displacement
@@ -208,21 +209,37 @@ constexpr Documented documented_of_tips[] = {
     {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, Of::plastic_zone, 0.3, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone}};
 
-/// Slope over the first step of unloading, to which this step adds an error of first order.
-Documented unloading_stiffness(int steps)
+/// Of the power law through the largest load.
+Documented loading_stiffness(bool is_tip)
 {
-  Documented error{"unloading stiffness", "indents[*].unloading_stiffness_N_per_m", 0.03, 6.5, 2.0,
-                   Of::elastic_contact};
-  error.further = 0.12 / steps;
+  Documented error{"loading stiffness", "indents[*].loading_stiffness_N_per_m", 0.012, 6.5, 1.5, Of::elastic_contact};
+  if (is_tip)
+    error.error = 0.04;
+  error.further = 0.005;
   return error;
 }
 
-/// Whether the bodies are unloaded in more than one step, so that there is a slope.
-bool unloads(const IndentationCase& c)
+/// The same if the bodies are unloaded completely; otherwise of the parabola over the first two steps of unloading.
+Documented unloading_stiffness(bool is_tip, int steps, bool is_complete)
 {
-  return c.steps > 1 && std::adjacent_find(c.sequence.begin(), c.sequence.end(),
-                                           [](const Drive& before, const Drive& after)
-                                           { return after.value < before.value; }) != c.sequence.end();
+  Documented error = loading_stiffness(is_tip);
+  error.quantity = "unloading stiffness";
+  error.name = "indents[*].unloading_stiffness_N_per_m";
+  if (!is_complete)
+  {
+    error.error = std::max(error.error, 0.03);
+    error.further = 0.12 / steps;
+  }
+  return error;
+}
+
+/// Least value to which the bodies are unloaded from the largest one; none if they are not.
+std::optional<double> unloaded_to(const IndentationCase& c)
+{
+  const auto next = std::max_element(c.sequence.rbegin(), c.sequence.rend(),
+                                     [](const Drive& a, const Drive& b) { return a.value < b.value; })
+                        .base(); // after the last one of several largest
+  return next == c.sequence.end() ? std::nullopt : std::optional(next->value);
 }
 
 bool has_tip(const ShapedBody& body)
@@ -233,7 +250,8 @@ bool has_tip(const ShapedBody& body)
 Facts facts(const IndentationCase& c, const IndentationPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
-  if (has_tip(c.lower) || has_tip(c.upper))
+  const bool is_tip = has_tip(c.lower) || has_tip(c.upper);
+  if (is_tip)
     f.documented.assign(std::begin(documented_of_tips), std::end(documented_of_tips));
   else
     f.documented.assign(std::begin(documented), std::end(documented));
@@ -244,8 +262,10 @@ Facts facts(const IndentationCase& c, const IndentationPlan& plan)
                                     [](const Drive& drive) { return drive.kind == Drive::Kind::load; });
   if (!is_given)
     f.documented.insert(f.documented.begin(), load);
-  if (unloads(c))
-    f.documented.push_back(unloading_stiffness(c.steps));
+  if (c.steps > 1)
+    f.documented.push_back(loading_stiffness(is_tip));
+  if (const std::optional<double> end = unloaded_to(c); end && c.steps > 1)
+    f.documented.push_back(unloading_stiffness(is_tip, c.steps, *end <= 0.0));
   f.forgets_if_elastic = true;
   f.steps = c.steps;
   return f;
