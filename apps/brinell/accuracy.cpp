@@ -107,7 +107,9 @@ public:
 
   RunReport run()
   {
-    static_cast<void>(io::plan_case(case_)); // throws before anything is written if the case cannot be computed
+    for (const double cells :
+         {1.0, first_cells(case_)}) // throws before anything is written if the case cannot be computed
+      static_cast<void>(io::plan_case(io::with_cells(case_, cells)));
     {
       // Locks the folder for this process and removes an earlier result; with --resume it refuses another case.
       const io::ResultDirectory folder(options_.folder, case_, options_.mode);

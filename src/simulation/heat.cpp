@@ -34,13 +34,21 @@ bool swells(const constitutive::Material& material)
   return material.thermal && material.thermal->expansion != 0.0;
 }
 
-/// Checks that there is a reference distance for bodies with different bulk temperatures: between them heat passes even at rest,
-/// while they are pressed together.
-void require_reference_of_exchange(const Numerics& numerics, const constitutive::Material& lower,
-                                   const constitutive::Material& upper)
+/// Checks that there is a steady state between bodies with different bulk temperatures, and a reference distance for them: between
+/// them heat passes even at rest, while they are pressed together.
+void require_steady_exchange(const Numerics& numerics, const constitutive::Material& lower,
+                             const constitutive::Material& upper)
 {
   const bool passes =
       lower.thermal && upper.thermal && lower.temperature != upper.temperature && numerics.heat.exchanges();
+  if (passes && numerics.domain.y.is_periodic())
+    throw KeyError(
+        "thermal.regime",
+        fmt::format("thermal.regime = \"steady\", but between a lower body of {:g} and an upper one of {:g} "
+                    "degC heat also flows while they are pressed together at rest, and along a periodic "
+                    "axis it then accumulates without limit; allowed: equal temperatures, thermal.partition, "
+                    "open axes, or \"transient\"",
+                    lower.temperature, upper.temperature));
   if (passes && numerics.heat.displacement && (swells(lower) || swells(upper)) && !numerics.heat.reference)
     throw KeyError(
         "thermal.reference",
@@ -155,7 +163,7 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
                    "zero, such as the radius of the body; or thermal.displacement = false");
   require_steady_source(numerics, lower, upper, motion);
   if (motion.pressed_at_rest)
-    require_reference_of_exchange(numerics, lower.material, upper.material);
+    require_steady_exchange(numerics, lower.material, upper.material);
 }
 
 } // namespace

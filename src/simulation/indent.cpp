@@ -46,7 +46,9 @@ double IndentReader::add(const IndentationRecord& r, double opening)
   const double work = 0.5 * (r.F_n + load_.back()) * (approach - approach_.back());
   approach_.push_back(approach);
   load_.push_back(r.F_n);
-  if (closed && r.F_n >= (1.0 - same_load) * indent_.max_load) // of several, the last one
+  const bool is_deeper = load_.size() == 2 || r.approach > indent_.max_approach;
+  if (closed ? r.F_n >= (1.0 - same_load) * indent_.max_load
+             : indent_.max_load == 0.0 && is_deeper) // of several, the last one
   {
     peak_ = static_cast<int>(load_.size()) - 1;
     indent_.max_load = std::max(indent_.max_load, r.F_n);
@@ -110,11 +112,11 @@ IndentReader::Branch IndentReader::unloading() const
   return branch;
 }
 
-/// dF/d approach at the largest load; 0 if the branch has no other point under load.
+/// dF/d approach at the largest load; NaN if the branch has no other point under load.
 double IndentReader::slope_at_peak(const Branch& branch) const
 {
   if (branch.points.empty() || !(load_[static_cast<std::size_t>(branch.points.front())] > 0.0))
-    return 0.0;
+    return nan;
   const bool is_periodic = !std::isnan(indent_.mean_gap);
   return is_periodic || std::isnan(branch.origin) ? slope_of_parabola(branch) : slope_of_power_law(branch);
 }

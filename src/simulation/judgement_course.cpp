@@ -93,7 +93,12 @@ bool warn_of_expected_flow(const Facts& facts, std::vector<Warning>& warnings)
 
 void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
 {
-  if (facts.can_yield && totals.max_equivalent_plastic_strain == 0.0)
+  if (totals.coverage.contact_columns == 0)
+    warnings.push_back({"no_contact",
+                        "the bodies do not touch in any step: all loads are zero. An approach counts from "
+                        "the first touch of the smooth shapes; dents and the valleys of a texture take "
+                        "the surfaces farther apart"});
+  else if (facts.can_yield && totals.max_equivalent_plastic_strain == 0.0)
     warnings.push_back(
         {"no_yield", "nothing has yielded, although a yield stress is given: the whole result is elastic"});
   if (totals.max_equivalent_plastic_strain > largest_strain)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 /// Quality of results of rolling, before and after a run.
 namespace brinell::simulation
@@ -23,6 +24,12 @@ constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8
 constexpr Documented resistance{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5, Documented::Of::contact, 1.0};
 constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.09, 4.0,
                                  1.5,           Documented::Of::contact,   1.0};
+/// Of point contacts.
+constexpr Documented of_points[] = {
+    {"shoulder", "passes[*].shoulder_height_m", 0.08, 8.0, 1.0, Documented::Of::contact, 0.3, true},
+    {"strain under the track", "passes[*].track_plastic_strain", 0.035, 8.0, 1.0, Documented::Of::contact, 0.3},
+    {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Documented::Of::elastic_contact, 0.1},
+    {"largest pressure", "passes[*].max_pressure_Pa", 0.012, 8.0, 1.0, Documented::Of::elastic_contact, 0.1}};
 constexpr Documented creep_force{
     "creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, Documented::Of::elastic_contact, 1.0};
 constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.4, 8.0, 1.5, Documented::Of::elastic_contact};
@@ -66,6 +73,8 @@ std::vector<Documented> documented(const RollingCase& c, const RollingPlan& plan
     errors.push_back(resistance);
   errors.push_back(dissipation);
   errors.back().further = std::abs(plan.rolling_steps * plan.shift / c.distance - 1.0); // length of the track
+  if (!is_plane)
+    errors.insert(errors.end(), std::begin(of_points), std::end(of_points));
   return errors;
 }
 

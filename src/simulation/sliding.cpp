@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 
 namespace brinell::simulation
@@ -241,6 +242,10 @@ constexpr Documented ploughing{
     "friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9, Documented::Of::contact, 0.3};
 constexpr Documented plastic_work{
     "plastic work", "strokes[*].dissipation_plastic_J", 0.06, 8.0, 1.0, Documented::Of::plastic_zone, 1.0};
+constexpr Documented others[] = {
+    {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.05, 8.0, 1.0, Documented::Of::contact, 0.1},
+    {"contact area", "strokes[*].contact_area_m2", 0.016, 8.0, 1.0, Documented::Of::elastic_contact, 0.1},
+    {"largest pressure", "strokes[*].max_pressure_Pa", 0.01, 8.0, 1.0, Documented::Of::elastic_contact, 0.1}};
 
 /// Whether the friction by ploughing is so small a difference of large forces that its relative error says nothing.
 bool hardly_ploughs(const std::vector<SlidingStroke>& strokes)
@@ -268,6 +273,7 @@ std::vector<Documented> documented(const SlidingSummary* summary)
     errors.push_back(ploughing);
   if (!summary || !hardly_yields(*summary))
     errors.push_back(plastic_work);
+  errors.insert(errors.end(), std::begin(others), std::end(others));
   return errors;
 }
 

@@ -164,6 +164,10 @@ TEST(SteadyHeat, WhatThereIsNotIsRefused)
   refused(c, "thermal.reference is missing: between a lower body of 80 and an upper one of 120 degC");
   c.heat.partition = 0.5; // nothing passes
   static_cast<void>(simulation::plan(c));
+  c.heat.partition.reset();
+  c.upper.shape = simulation::Roller{10e-3};
+  c.domain.y = {Boundary::periodic, 1e-3, 1};
+  refused(c, "along a periodic axis it then accumulates without limit");
   c = skidding_ball(HeatRegime::steady, 2.0);
   c.heat.of_plastic_work = 0.9;
   refused(c, "allowed: thermal.heat_of_plastic_work = 0, or \"transient\"");

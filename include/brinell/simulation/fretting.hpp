@@ -94,7 +94,7 @@ inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
     common::pass,
     {"cycle", "1", &FrettingRecord::cycle, "cycle, counts from 1; 0 while the bodies are pressed together"},
     {"approach", "m", &FrettingRecord::approach,
-     "approach of the bodies, counted from first touch of the undeformed bodies"},
+     "approach of the bodies, counted from first touch of the undeformed smooth shapes"},
     common::F_n,
     {"displacement", "m", &FrettingRecord::displacement,
      "displacement of distant points of the upper body relative to those of the lower one, along the motion"},

@@ -44,7 +44,7 @@ struct IndentationRecord : StepRecord
 {
   int place = 0;               ///< number of the place, counts from 1
   double x = 0.0;              ///< of the place on the lower body [m]
-  double approach = 0.0;       ///< of the bodies from first touch of the undeformed ones [m]
+  double approach = 0.0;       ///< of the bodies from first touch of the undeformed smooth shapes [m]
   double contact_radius = 0.0; ///< radius of a circle with the contact area [m]
   int contact_cells = 0;       ///< cells under pressure
   double mean_pressure = 0.0;  ///< load over projected contact area [Pa]
@@ -68,16 +68,16 @@ struct Indent
   double max_approach = 0.0; ///< at that load [m]
   double contact_area = 0.0; ///< projected, at that load [m^2]
   /// At that load, for bodies that are periodic along both axes; NaN for others.
-  double contact_fraction = 0.0,    ///< contact area over the area of the period
-      mean_gap = 0.0,               ///< [m]
-      contact_stiffness = 0.0;      ///< elastic [Pa/m]
-  double hardness = 0.0;            ///< max_load / contact_area [Pa]
-  double loading_stiffness = 0.0;   ///< dF/d approach just before the (last) largest load [N/m]
-  double unloading_stiffness = 0.0; ///< dF/d approach just after the largest load [N/m]; 0 without unloading
-  double final_approach = 0.0;      ///< approach at which the contact opens [m]; NaN if it does not open
-  double residual_depth = 0.0;      ///< largest residual displacement of the lower body at the end of the indent [m]
-  double pile_up = 0.0;             ///< largest height of its residual surface at the end of the indent [m]
-  double work = 0.0;                ///< net work of this indent [J]
+  double contact_fraction = 0.0, ///< contact area over the area of the period
+      mean_gap = 0.0,            ///< [m]
+      contact_stiffness = 0.0;   ///< elastic [Pa/m]
+  double hardness = 0.0;         ///< max_load / contact_area [Pa]
+  /// dF/d approach just before and just after the (last) largest load [N/m]; NaN without another step under load on that side.
+  double loading_stiffness = 0.0, unloading_stiffness = 0.0;
+  double final_approach = 0.0; ///< approach at which the contact opens [m]; NaN if it does not open
+  double residual_depth = 0.0; ///< largest residual displacement of the lower body at the end of the indent [m]
+  double pile_up = 0.0;        ///< largest height of its residual surface at the end of the indent [m]
+  double work = 0.0;           ///< net work of this indent [J]
 
   void exchange(Archive& archive);
 };
@@ -107,7 +107,7 @@ inline constexpr auto columns<IndentationRecord> = common::row<IndentationRecord
     {"place", "1", &IndentationRecord::place, "number of the place of the indentation, counts from 1"},
     {"x", "m", &IndentationRecord::x, "position of the contact on the lower body"},
     {"approach", "m", &IndentationRecord::approach,
-     "approach of the bodies, counted from first touch of the undeformed bodies"},
+     "approach of the bodies, counted from first touch of the undeformed smooth shapes"},
     common::F_n,
     common::contact_area,
     {"contact_cells", "1", &IndentationRecord::contact_cells, "cells under pressure"},

@@ -140,7 +140,7 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
     common::pass,
     {"x", "m", &RollingRecord::x, "position of the contact on the lower body"},
     {"approach", "m", &RollingRecord::approach,
-     "approach of the bodies, counted from first touch of the undeformed bodies"},
+     "approach of the bodies, counted from first touch of the undeformed smooth shapes"},
     common::F_n,
     {"F_X", "N", &RollingRecord::F_X, "resistance to the motion"},
     {"friction", "1", &RollingRecord::friction, "F_X over F_n, 0 without contact"},

@@ -79,7 +79,7 @@ struct SlidingStroke
   double contact_fraction = 0.0;              ///< mean; NaN unless both axes are periodic
   double mean_gap = 0.0;                      ///< mean [m]; NaN unless both axes are periodic
   double max_pressure = 0.0;                  ///< mean of the largest pressure [Pa]
-  double dissipation_plastic = 0.0;           ///< of both bodies in this stroke [J]
+  double dissipation_plastic = 0.0;           ///< of both bodies in this stroke, without pressing and parting [J]
   double dissipation_friction = 0.0;          ///< heat of friction in this stroke [J]
   double max_equivalent_plastic_strain = 0.0; ///< of both bodies, at its end
   double rms_height_lower = 0.0,
@@ -120,7 +120,7 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     {"slid", "m", &SlidingRecord::slid, "displacement of the upper body over the lower one along x"},
     {"way", "m", &SlidingRecord::way, "accumulated sliding distance since the start"},
     {"approach", "m", &SlidingRecord::approach,
-     "approach of the bodies, counted from first touch of the undeformed bodies"},
+     "approach of the bodies, counted from first touch of the undeformed smooth shapes"},
     common::F_n,
     {"F_X", "N", &SlidingRecord::F_X, "force along x that resists the motion"},
     {"F_ploughing", "N", &SlidingRecord::F_ploughing, "part of F_X due to the pressure on the slopes of both surfaces"},

@@ -52,7 +52,7 @@ class Indentation(ScenarioCase):
             upper: the indenter.
             load: normal loads that are reached one after the other, starting from zero [N]: ["10 N", 0] loads and
                 unloads.
-            approach: approaches of the bodies from first touch of the undeformed bodies, instead of loads [m].
+            approach: approaches of the bodies from first touch of the undeformed smooth shapes, instead of loads [m].
             pressure: mean pressures over the period instead of loads, on a grid that is periodic along both axes [Pa].
             mean_gap: mean gaps over that period instead of loads [m]; a smaller gap means a higher load.
             normalised: whether loads or approaches are given relative to their values at first yield, P_c and alpha_c.
@@ -93,15 +93,15 @@ class Indent:
     max_load: float
     """Largest load [N]."""
     max_approach: float
-    """Approach at the largest load, from first touch of the undeformed bodies [m]."""
+    """Approach at the largest load, from first touch of the undeformed smooth shapes [m]."""
     contact_area: float
     """Projected contact area at the largest load [m^2]."""
     hardness: float
     """Largest load over the projected contact area [Pa]."""
     loading_stiffness: float
-    """Slope of load over approach during loading, at the largest load [N/m]."""
+    """Slope of load over approach during loading, at the largest load [N/m]; NaN if no step before it has a load."""
     unloading_stiffness: float
-    """Slope of load over approach at the beginning of unloading [N/m]; 0 without unloading."""
+    """Slope of load over approach at the beginning of unloading [N/m]; NaN if no step after it has a load."""
     final_approach: float
     """Approach at which the contact opens [m]; NaN if it does not open."""
     residual_depth: float
@@ -138,7 +138,7 @@ def _key_numbers(run: Run) -> Iterator[KeyNumber]:
     if run.complete:
         first = run.indents[0]
         yield KeyNumber("Hardness, first indent", first.hardness, "Pa")
-        if first.unloading_stiffness:
+        if not math.isnan(first.unloading_stiffness):
             yield KeyNumber("Unloading stiffness, first indent", first.unloading_stiffness, "N/m")
         yield KeyNumber("Pile-up, first indent", first.pile_up, "m", "interference")
 

@@ -48,8 +48,6 @@ void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both
   for (Axis* axis : axes)
     axis->boundary = Boundary::periodic;
   const bool has_spacing = reader.has("grid.spacing");
-  if (boundary == "periodic" && reader.raw.find("grid.resolution"))
-    reader.add("grid.resolution", "has no effect where both axes are periodic; allowed: grid.cells or grid.spacing");
   for (const char* key : {"grid.cells", "grid.layer"})
     if (has_spacing && reader.has(key))
       reader.add(key, "cannot stand together with grid.spacing; keep one of them");

@@ -90,6 +90,7 @@ std::vector<Entry> grid_entries()
              .fallback_in = other_resolutions(),
              .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
                      "Tugging: the elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
+             .when = {"grid.boundary", {"open", "periodic_x", "periodic_y"}},
              .excludes = "grid.spacing"},
             &Numerics::resolution),
       bound({.key = "grid.extent",

@@ -87,7 +87,7 @@ std::vector<std::string> key_names(const Scenario& scenario, const Numbers& numb
 std::string_view unit_of(const std::string& name)
 {
   std::string_view longest;
-  for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_Nm", "_N_per_m", "_degC"})
+  for (const std::string_view unit : {"_N", "_J", "_m", "_Pa", "_m2", "_m3", "_Nm", "_N_per_m", "_Pa_per_m", "_degC"})
     if (name.ends_with(unit) && unit.size() > longest.size())
       longest = unit;
   return longest;
@@ -181,8 +181,9 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
 {
   Accuracy accuracy;
   accuracy.asked = c.accuracy.value_or(0.0);
-  std::vector<double> cells(levels.size());
-  std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.cells; });
+  std::vector<double> cells(
+      levels.size()); // a period is a whole number of cells, so that they are not exactly as asked
+  std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.spacing[0]; });
   const Numbers& finest = levels.back().numbers;
   const auto largest = largest_by_unit(c, finest);
   const auto errors = expected_errors(c, levels.back());
@@ -211,8 +212,9 @@ std::string accuracy_advice(const Case& c, const Accuracy& accuracy)
   const auto worst = std::max_element(accuracy.key_numbers.begin(), accuracy.key_numbers.end(),
                                       [&](const auto& a, const auto& b) { return error(a) < error(b); });
   std::string text = worst == accuracy.key_numbers.end() ? "" : fmt::format("in {}; ", *worst);
-  text +=
-      c.values.find("grid.spacing") ? "a smaller grid.spacing to start with" : "a larger grid.resolution to start with";
+  text += c.values.find("grid.spacing")      ? "a smaller grid.spacing to start with"
+          : c.values.find("grid.resolution") ? "a larger grid.resolution to start with"
+                                             : "more grid.cells to start with";
   const auto [steps, enough] = std::visit(
       [](const auto& scenario) { return std::pair(std::string(io_of(scenario).steps), io_of(scenario).enough_steps); },
       c.scenario);

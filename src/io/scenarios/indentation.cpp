@@ -49,7 +49,8 @@ std::vector<Entry> keys()
       drive("load", kind::force.at_least(0.0), Drive::Kind::load, "approach",
             "Sequence of loads, starting from zero: [\"10 N\", 0] presses and lifts off."),
       drive("approach", kind::length.at_least(0.0), Drive::Kind::approach, "load",
-            "Sequence of approaches, counted from the first touch of the undeformed bodies, instead of loads."),
+            "Sequence of approaches, counted from the first touch of the undeformed bodies without their textures, "
+            "instead of loads."),
       drive("pressure", kind::pressure.at_least(0.0), Drive::Kind::load, "",
             "Sequence of mean pressures over the period, instead of loads; with grid.boundary = \"periodic\"."),
       drive("mean_gap", kind::length.above(0.0), Drive::Kind::mean_gap, "",
@@ -140,8 +141,10 @@ std::string results(const Case&, const IndentationSummary& s)
       "place cycle      load [N]  approach [m] hardness [Pa] unloading [N/m] residual [m]  pile-up [m]\n", s.indents,
       [](const Indent& i)
       {
-        return fmt::format("{:5} {:5} {:13.6e} {:13.6e} {:13.6e}   {:13.6e} {:12.5e} {:12.5e}\n", i.place, i.cycle,
-                           i.max_load, i.max_approach, i.hardness, i.unloading_stiffness, i.residual_depth, i.pile_up);
+        const std::string unloading =
+            std::isnan(i.unloading_stiffness) ? "-" : fmt::format("{:.6e}", i.unloading_stiffness);
+        return fmt::format("{:5} {:5} {:13.6e} {:13.6e} {:13.6e}   {:>13} {:12.5e} {:12.5e}\n", i.place, i.cycle,
+                           i.max_load, i.max_approach, i.hardness, unloading, i.residual_depth, i.pile_up);
       });
   if (std::any_of(s.indents.begin(), s.indents.end(), [](const Indent& i) { return i.max_approach < 0.0; }))
     text += "approach: from where the mean planes meet; negative while peaks hold them apart\n";

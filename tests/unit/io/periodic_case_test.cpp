@@ -156,6 +156,16 @@ TEST(PeriodicCase, OneSizeIsThatOfBothAxes)
       indentation(rough, "load = [10]", "boundary = \"periodic\"\nsize = [\"1 mm\"]\ncells = 32"), "sample.toml")));
 }
 
+TEST(PeriodicCase, TheResolvedCaseIsACase)
+{
+  for (const char* cells : {"cells = [20, 20]", "spacing = [\"50 um\", \"50 um\", \"20 um\"]"})
+  {
+    const Case c = parse_case(indentation(wavy, "load = [10]", both + std::string(cells)), "sample.toml");
+    const std::string text = resolved_text(c.values);
+    EXPECT_EQ(resolved_text(parse_case(text, "resolved.toml").values), text);
+  }
+}
+
 TEST(PeriodicCase, CellsTwice)
 {
   const std::string spacing = "spacing = [\"50 um\", \"50 um\", \"20 um\"]\n";
@@ -163,9 +173,8 @@ TEST(PeriodicCase, CellsTwice)
                  {"grid.cells = [20, 20] cannot stand together with grid.spacing"});
   expect_refused(indentation(wavy, "load = [10]", std::string(both) + spacing + "layer = \"1 um\""), 14,
                  {"grid.layer = \"1 um\" cannot stand together with grid.spacing"});
-  expect_refused(
-      indentation(wavy, "load = [10]", std::string(both) + "cells = [20, 20]\nresolution = 8"), 14,
-      {"grid.resolution = 8 has no effect where both axes are periodic", "allowed: grid.cells or grid.spacing"});
+  expect_refused(indentation(wavy, "load = [10]", std::string(both) + "cells = [20, 20]\nresolution = 8"), 14,
+                 {"grid.resolution = 8 applies only with grid.boundary"});
   expect_refused(
       indentation(wavy, "load = [10]", std::string(both) + "spacing = [\"30 um\", \"50 um\", \"20 um\"]"), 12,
       {"grid.size = 0.001 m along x is 33.3333 cells of grid.spacing = 3e-05 m", "allowed: a whole number of cells"});

@@ -136,5 +136,38 @@ TEST(Convergence, CellsOfAnotherSizeStayAnOddNumberAlongACylinder)
   EXPECT_EQ(scaled(roller), (std::array{0.8 * 1e-5, 0.9e-3 / 11.0, 0.8 * 5e-6}));
 }
 
+TEST(ScaleCells, APeriodStaysAWholeNumberOfCells)
+{
+  const Shape flat = Plane{};
+  Numerics by_number;
+  by_number.domain = {{Boundary::periodic, 1e-4, 8}, {Boundary::periodic, 1.5e-4, 12}, 1e-6};
+  const auto cells = [&](double size)
+  {
+    Numerics n = by_number;
+    scale_cells(n, flat, flat, size);
+    return std::array{n.domain.x.cells, n.domain.y.cells};
+  };
+  EXPECT_EQ(cells(2.0), (std::array{4, 6}));
+  EXPECT_EQ(cells(std::sqrt(2.0)), (std::array{6, 8}));
+  EXPECT_EQ(cells(1.0), (std::array{8, 12}));
+  EXPECT_EQ(cells(0.5), (std::array{16, 24}));
+  Numerics finer = by_number;
+  scale_cells(finer, flat, flat, 0.5);
+  EXPECT_DOUBLE_EQ(finer.domain.layer, 0.5e-6);
+
+  Numerics by_size = by_number;
+  by_size.domain.x.cells = by_size.domain.y.cells = 0;
+  by_size.domain.y.size = 1e-5; // one cell: nothing varies along y
+  by_size.spacing = {1.25e-5, 1e-5, 5e-6};
+  scale_cells(by_size, flat, flat, std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ((*by_size.spacing)[0], 1e-4 / 6.0);
+  EXPECT_DOUBLE_EQ((*by_size.spacing)[1], 1e-5);
+
+  by_number.domain.y.cells = 1;
+  EXPECT_EQ(cells(0.5)[1], 1);
+  by_number.domain.y.cells = 3; // two sizes of a series would be the same
+  EXPECT_THROW(static_cast<void>(cells(0.5)), KeyError);
+}
+
 } // namespace
 } // namespace brinell::simulation

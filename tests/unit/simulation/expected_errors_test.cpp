@@ -189,6 +189,24 @@ TEST(ExpectedErrors, OfTheUnloadingStiffnessAreOfFirstOrderInTheStepIfLoadRemain
   EXPECT_LT(with_steps(2)->relative, many);
 }
 
+TEST(ExpectedErrors, OfAreasAndPressuresAreThoseOfElasticBodiesToo)
+{
+  RollingCase c = ball_on_flat();
+  RunTotals t = good_totals(c);
+  t.coverage.plastic_layers = 0;
+  const Quality of_elastic = quality(c, plan(c), t), of_plastic = quality(c, plan(c), good_totals(c));
+  for (const char* quantity : {"contact area", "largest pressure"})
+  {
+    EXPECT_TRUE(find(of_elastic, quantity)) << quantity;
+    EXPECT_TRUE(find(of_plastic, quantity)) << quantity;
+  }
+  for (const char* quantity : {"shoulder", "strain under the track"})
+  {
+    EXPECT_FALSE(find(of_elastic, quantity)) << quantity;
+    EXPECT_TRUE(find(of_plastic, quantity)) << quantity;
+  }
+}
+
 TEST(ExpectedErrors, OfALongShiftAreLarger)
 {
   RollingCase c = ball_on_flat();

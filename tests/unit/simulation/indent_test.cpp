@@ -101,8 +101,20 @@ TEST(IndentTest, AHeldLoadIsOneLoad)
 TEST(IndentTest, WithoutUnloadingThereIsNoStiffnessOfIt)
 {
   const Indent i = squares({0.5, 1.0}, {});
-  EXPECT_EQ(i.unloading_stiffness, 0.0);
+  EXPECT_TRUE(std::isnan(i.unloading_stiffness));
   EXPECT_TRUE(std::isnan(i.final_approach));
+}
+
+TEST(IndentTest, BodiesThatDoNotTouchHaveNoStiffness)
+{
+  IndentReader reader(0.0, 1, 0.0);
+  for (const double h : {0.5, 1.0, 0.0})
+    (void)reader.add(at(h, 0.0), 0.0);
+  const Indent i = reader.result();
+  EXPECT_EQ(i.max_load, 0.0);
+  EXPECT_EQ(i.max_approach, 1.0);
+  EXPECT_TRUE(std::isnan(i.mean_gap));
+  EXPECT_TRUE(std::isnan(i.loading_stiffness));
 }
 
 TEST(IndentTest, WorkIsTheAreaOfTheLoop)
