@@ -132,6 +132,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
   info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
+  if (const auto missing = io::missing_steps(c.snapshots, summary.last.step))
+    info.quality.warnings.push_back(*missing);
   LevelReport report{{}, io::level_of(io::summary_text(c, plan, summary, info), before.cells), {}};
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));

@@ -5,6 +5,8 @@
 #include "brinell/io/schema.hpp"
 #include "brinell/simulation/scenarios.hpp"
 
+#include <optional>
+
 namespace brinell::io
 {
 
@@ -22,6 +24,9 @@ private:
   double x_ = 0.0;         ///< position of the previous step
   bool is_stored_ = false; ///< whether a step of this pass is stored already
 };
+
+/// Warning about steps of `output.snapshots` that a finished run does not have.
+[[nodiscard]] std::optional<simulation::Warning> missing_steps(const SnapshotRule& rule, int last_step);
 
 /// Decides after each step whether its fields are to be stored. To be called once per step, in order.
 class SnapshotChoice

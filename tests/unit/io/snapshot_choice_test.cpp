@@ -37,6 +37,16 @@ TEST(SnapshotChoice, PlainRules)
   EXPECT_EQ(stored({.kind = Kind::listed, .steps = {1, 4, 77}}, {through_zero}), (std::vector{1, 4}));
 }
 
+TEST(SnapshotChoice, StepsThatARunDoesNotHaveAreTold)
+{
+  const SnapshotRule rule{.kind = Kind::listed, .steps = {1, 4, 77, 99}};
+  EXPECT_FALSE(missing_steps(rule, 99));
+  EXPECT_FALSE(missing_steps({.kind = Kind::every, .every = 3}, 1));
+  ASSERT_TRUE(missing_steps(rule, 76));
+  EXPECT_EQ(missing_steps(rule, 76)->text,
+            "output.snapshots asks for the fields of steps 77, 99, but the last step is 76");
+}
+
 TEST(SnapshotChoice, AlignedIsTheNearestStepOfEachPass)
 {
   const SnapshotRule aligned;
