@@ -242,7 +242,8 @@ constexpr Documented ploughing{
     "friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9, Documented::Of::contact, 0.3};
 constexpr Documented plastic_work{
     "plastic work", "strokes[*].dissipation_plastic_J", 0.06, 8.0, 1.0, Documented::Of::plastic_zone, 1.0};
-constexpr Documented others[] = {
+/// Of point contacts.
+constexpr Documented of_points[] = {
     {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.05, 8.0, 1.0, Documented::Of::contact, 0.1},
     {"contact area", "strokes[*].contact_area_m2", 0.016, 8.0, 1.0, Documented::Of::elastic_contact, 0.1},
     {"largest pressure", "strokes[*].max_pressure_Pa", 0.01, 8.0, 1.0, Documented::Of::elastic_contact, 0.1}};
@@ -266,21 +267,22 @@ bool hardly_yields(const SlidingSummary& summary)
 }
 
 /// @param summary  of a finished run; none before
-std::vector<Documented> documented(const SlidingSummary* summary)
+std::vector<Documented> documented(bool is_plane, const SlidingSummary* summary)
 {
   std::vector<Documented> errors;
   if (!summary || !hardly_ploughs(summary->strokes))
     errors.push_back(ploughing);
   if (!summary || !hardly_yields(*summary))
     errors.push_back(plastic_work);
-  errors.insert(errors.end(), std::begin(others), std::end(others));
+  if (!is_plane)
+    errors.insert(errors.end(), std::begin(of_points), std::end(of_points));
   return errors;
 }
 
 Facts facts(const SlidingCase& c, const SlidingPlan& plan, const SlidingSummary* summary = nullptr)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
-  f.documented = documented(summary);
+  f.documented = documented(f.is_plane, summary);
   f.moves = true;
   if (c.shift)
     f.shift = plan.shift;

@@ -255,6 +255,7 @@ constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documen
 constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact, 1.0};
 constexpr Documented resistance{
     "F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Documented::Of::contact, 1.0};
+// Of point contacts.
 constexpr Documented plastic_work{
     "plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Documented::Of::contact, 1.0};
 constexpr Documented largest_strain{
@@ -282,8 +283,10 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* tota
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
   const double ploughing = share_of_ploughing(totals);
-  f.documented = {c.load ? peak_under_load : peak_force, dents,        with_friction(net_energy, ploughing),
-                  with_friction(resistance, ploughing),  plastic_work, largest_strain};
+  f.documented = {c.load ? peak_under_load : peak_force, dents, with_friction(net_energy, ploughing),
+                  with_friction(resistance, ploughing)};
+  if (!f.is_plane)
+    f.documented.insert(f.documented.end(), {plastic_work, largest_strain});
   f.moves = f.slides = true;
   if (c.shift)
     f.shift = plan.shift;
