@@ -151,6 +151,8 @@ void expect_the_finer_run_inside(const std::string& name, const std::string& tex
     levels.push_back(run_with(c, cells));
   const io::Accuracy accuracy = io::accuracy_of(c, levels);
   const io::Level finer = run_with(c, 0.5);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_LT(finer.spacing[axis], 0.6 * levels.back().spacing[axis]) << "runs on the same cells tell nothing";
   EXPECT_GE(accuracy.key_numbers.size(), 3u);
   for (const std::string& key : accuracy.key_numbers)
   {
