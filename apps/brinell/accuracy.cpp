@@ -107,8 +107,8 @@ public:
 
   RunReport run()
   {
-    for (const double cells :
-         {1.0, first_cells(case_)}) // throws before anything is written if the case cannot be computed
+    // Throws before anything is written if the case cannot be computed.
+    for (const double cells : {1.0, first_cells(case_)})
       static_cast<void>(io::plan_case(io::with_cells(case_, cells)));
     {
       // Locks the folder for this process and removes an earlier result; with --resume it refuses another case.

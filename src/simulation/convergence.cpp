@@ -34,6 +34,20 @@ double observed_order(double d21, double d32, double r21, double r32)
   return high;
 }
 
+/// Cells in a period once their size has been multiplied. A single cell stays one, because nothing varies along that axis.
+double rescaled(double cells, double size)
+{
+  constexpr double fewest = 4.0; // with fewer, two cell sizes of a series fall together
+  cells = std::round(cells);
+  if (cells == 1.0)
+    return cells;
+  if (cells < fewest)
+    throw GridError(fmt::format("{:g} cells in a period; allowed in a series of cell sizes (solver.accuracy): at least "
+                                "{:g}, or 1 along y where nothing varies",
+                                cells, fewest));
+  return std::round(cells / size);
+}
+
 struct Half
 {
   double width, order, extrapolated;
@@ -84,44 +98,23 @@ Convergence convergence(std::span<const double> cells, std::span<const double> v
   return {value, half.order, half.extrapolated, value - width, value + width, size > 0.0 ? width / size : 0.0};
 }
 
-namespace
-{
-
-/// Cells in a period, of which there were `before`, once their size has been multiplied. A single cell stays one: nothing varies along
-/// that axis.
-double rescaled(double before, double size)
-{
-  return std::round(before) == 1.0 ? 1.0 : std::round(before / size);
-}
-
-} // namespace
-
 void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, double size)
 {
-  constexpr int fewest = 4; // with fewer, two cell sizes of a series fall together
   Domain& domain = numerics.domain;
   domain.layer *= size;
   for (Domain::Axis* axis : {&domain.x, &domain.y})
-  {
-    if (axis->cells > 1 && axis->cells < fewest)
-      throw KeyError("grid.cells", fmt::format("grid.cells = {} along {}; allowed in a series of cell sizes "
-                                               "(solver.accuracy): at least {}, or 1 along y where nothing varies",
-                                               axis->cells, axis == &domain.x ? "x" : "y", fewest));
     if (axis->cells > 0)
       axis->cells = static_cast<int>(rescaled(axis->cells, size));
-  }
   if (!numerics.spacing)
   {
     numerics.resolution /= size;
     return;
   }
-  if (size == 1.0)
-    return;
   auto& [dx, dy, dz] = *numerics.spacing;
   for (const auto& [axis, side] : {std::pair{&domain.x, &dx}, std::pair{&domain.y, &dy}})
     *side = axis->is_periodic() ? axis->size / rescaled(axis->size / *side, size) : *side * size;
   dz *= size;
-  if (const double length = roller_length(lower, upper); std::isfinite(length))
+  if (const double length = roller_length(lower, upper); size != 1.0 && std::isfinite(length))
     dy = length / (2.0 * std::max(0.0, std::round(0.5 * (length / dy - 1.0))) + 1.0);
 }
 

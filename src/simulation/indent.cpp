@@ -46,9 +46,10 @@ double IndentReader::add(const IndentationRecord& r, double opening)
   const double work = 0.5 * (r.F_n + load_.back()) * (approach - approach_.back());
   approach_.push_back(approach);
   load_.push_back(r.F_n);
-  const bool is_deeper = load_.size() == 2 || r.approach > indent_.max_approach;
-  if (closed ? r.F_n >= (1.0 - same_load) * indent_.max_load
-             : indent_.max_load == 0.0 && is_deeper) // of several, the last one
+  // Of several largest loads the last one; without a load, the largest approach.
+  const bool is_peak = closed ? r.F_n >= (1.0 - same_load) * indent_.max_load
+                              : indent_.max_load == 0.0 && (load_.size() == 2 || r.approach > indent_.max_approach);
+  if (is_peak)
   {
     peak_ = static_cast<int>(load_.size()) - 1;
     indent_.max_load = std::max(indent_.max_load, r.F_n);
@@ -69,7 +70,7 @@ double IndentReader::add(const IndentationRecord& r, double opening)
   return work;
 }
 
-/// Points in this direction from the peak, as long as their loads decrease down to zero; of equal loads, the first one.
+/// Points in this direction from the peak, as long as their loads decrease, down to zero; of equal loads, the first one.
 std::vector<int> IndentReader::descend(int direction) const
 {
   std::vector<int> points;

@@ -26,7 +26,7 @@ public:
   void exchange(Archive& archive);
 
 private:
-  /// Part of the curve on one side of the peak, away from it: points without other loads between them and the peak that are larger.
+  /// Points of the curve on one side of the peak, beginning beside it, as long as the load decreases.
   struct Branch
   {
     std::vector<int> points; ///< each with less load than the one before, the first with less than the peak

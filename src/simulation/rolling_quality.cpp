@@ -28,8 +28,8 @@ constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.09,
 constexpr Documented of_points[] = {
     {"shoulder", "passes[*].shoulder_height_m", 0.08, 8.0, 1.0, Documented::Of::contact, 0.3, true},
     {"strain under the track", "passes[*].track_plastic_strain", 0.035, 8.0, 1.0, Documented::Of::contact, 0.3},
-    {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Documented::Of::elastic_contact, 0.1},
-    {"largest pressure", "passes[*].max_pressure_Pa", 0.012, 8.0, 1.0, Documented::Of::elastic_contact, 0.1}};
+    {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Documented::Of::elastic_contact, 0.02},
+    {"largest pressure", "passes[*].max_pressure_Pa", 0.012, 8.0, 1.0, Documented::Of::elastic_contact, 0.02}};
 constexpr Documented creep_force{
     "creep force", "passes[*].F_x_N", 0.08, 8.0, 1.0, Documented::Of::elastic_contact, 1.0};
 constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.4, 8.0, 1.5, Documented::Of::elastic_contact};

@@ -71,6 +71,10 @@ TEST(FewSteps, OfALongShiftAreToldOfRolling)
                   stated_error(c, s, "dissipation"));
     expect_stated(name + "resistance", s.passes.at(0).resistance, fine.resistance, stated_error(c, s, "resistance"));
     expect_stated(name + "rut", s.passes.at(0).rut_depth, fine.rut_depth, stated_error(c, s, "rut"));
+    expect_stated(name + "shoulder", s.passes.at(0).shoulder_height, fine.shoulder_height,
+                  stated_error(c, s, "shoulder"));
+    expect_stated(name + "strain under the track", s.passes.at(0).track_plastic_strain, fine.track_plastic_strain,
+                  stated_error(c, s, "strain under the track"));
   }
 }
 
@@ -89,6 +93,10 @@ TEST(FewSteps, OfALongShiftAreToldOfTugging)
                 stated_error(t, s, "F_X at alignment"));
   expect_stated("shift of half a radius: dent", s.max_residual_lower, fine.max_residual_lower,
                 stated_error(t, s, "dents"));
+  expect_stated("shift of half a radius: plastic work", s.dissipation_lower, fine.dissipation_lower,
+                stated_error(t, s, "plastic work"));
+  expect_stated("shift of half a radius: largest strain", s.max_equivalent_plastic_strain,
+                fine.max_equivalent_plastic_strain, stated_error(t, s, "largest plastic strain"));
 }
 
 } // namespace

@@ -156,6 +156,12 @@ TEST(Indentation, ElasticContactHasNoHistory)
   const auto hertz = reference::point_contact_at_load(0.5, contact_modulus(elastic, elastic), P);
   test::expect_close("approach over Hertz'", a.history.back().approach / hertz.approach, 1.0,
                      0.25 * std::pow(direct.resolution, -1.5), "analytic: Hertz (1882); edge error of the mesh");
+  const IndentationRun c = computed(pressed_spheres(elastic_material(), {load(P), load(0.0)}));
+  const double slope = 1.5 * P / hertz.approach;
+  test::expect_close("loading stiffness over Hertz'", c.summary.indents[0].loading_stiffness / slope, 1.0, 0.015,
+                     "analytic: Hertz (1882); stated error of 8 cells");
+  test::expect_close("unloading stiffness over Hertz'", c.summary.indents[0].unloading_stiffness / slope, 1.0, 0.015,
+                     "analytic: Hertz (1882); stated error of 8 cells");
 }
 
 TEST(Indentation, EnergyBalances)

@@ -44,6 +44,7 @@ struct Accuracy
 
 /// The same case with its cell sizes multiplied by a factor; a shift that is not given scales with the cells. The values of the
 /// case, and so its resolved text, stay those of the case as given, because they identify the series.
+/// @throws InputError if a period has too few cells for a series
 [[nodiscard]] Case with_cells(const Case& c, double size);
 
 /// Estimates from two levels or more.

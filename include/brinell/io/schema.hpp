@@ -109,6 +109,7 @@ struct Condition
 {
   std::string key;
   std::vector<std::string> values;
+  std::string instead{}; ///< keys to give where the entry does not apply, for the message; may be empty
 };
 
 struct Case;

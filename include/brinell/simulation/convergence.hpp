@@ -35,7 +35,7 @@ struct Convergence
                                       double known_error = 0.0);
 
 /// Multiplies the cell sizes of a case by a factor. The length of a cylinder stays an odd number of cells, a period a whole number.
-/// @throws KeyError if a period has so few cells that two sizes of a series would be the same
+/// @throws GridError if a period has so few cells that two sizes of a series would be the same
 void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, double size);
 
 } // namespace brinell::simulation

@@ -120,9 +120,9 @@ class SlidingStroke:
     max_pressure: float
     """Mean over the stroke of the largest pressure [Pa]."""
     dissipation_plastic: float
-    """Plastic work in both bodies in this stroke [J]."""
+    """Plastic work in both bodies in this stroke, without pressing and parting [J]."""
     dissipation_friction: float
-    """Energy dissipated by friction in this stroke [J]."""
+    """Energy dissipated by friction in this stroke, without pressing and parting [J]."""
     max_equivalent_plastic_strain: float
     """Largest equivalent plastic strain of both bodies at the end of the stroke [-]."""
     rms_height_lower: float

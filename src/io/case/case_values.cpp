@@ -374,8 +374,9 @@ private:
   {
     const Value* parent = values_.find(entry.when.key);
     add(entry, given,
-        fmt::format("applies only with {} = {}; it is {}{}", entry.when.key, alternatives(entry.when.values),
-                    parent ? toml_text(*parent) : "not set", raw_.find(entry.when.key) ? "" : " by default"));
+        fmt::format("applies only with {} = {}; it is {}{}{}", entry.when.key, alternatives(entry.when.values),
+                    parent ? toml_text(*parent) : "not set", raw_.find(entry.when.key) ? "" : " by default",
+                    entry.when.instead.empty() ? "" : "; allowed: " + entry.when.instead));
   }
 
   void add(const Entry& entry, const Given& given, std::string_view text)

@@ -90,7 +90,7 @@ std::vector<Entry> grid_entries()
              .fallback_in = other_resolutions(),
              .text = "Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it. "
                      "Tugging: the elastic contact radius at alignment, cells of dx, 2 dx and dx/2.",
-             .when = {"grid.boundary", {"open", "periodic_x", "periodic_y"}},
+             .when = {"grid.boundary", {"open", "periodic_x", "periodic_y"}, "grid.cells or grid.spacing"},
              .excludes = "grid.spacing"},
             &Numerics::resolution),
       bound({.key = "grid.extent",
@@ -271,10 +271,10 @@ std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)
 
 bool belongs_to(const Entry& entry, std::string_view scenario)
 {
-  const auto& [key, values] = entry.when;
-  if (key == "scenario")
-    return std::find(values.begin(), values.end(), scenario) != values.end();
-  const Entry* parent = key.empty() ? nullptr : find_entry(key);
+  const Condition& when = entry.when;
+  if (when.key == "scenario")
+    return std::find(when.values.begin(), when.values.end(), scenario) != when.values.end();
+  const Entry* parent = when.key.empty() ? nullptr : find_entry(when.key);
   return parent == nullptr || belongs_to(*parent, scenario);
 }
 

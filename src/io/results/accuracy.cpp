@@ -173,7 +173,14 @@ Numbers numbers_of(const std::string& summary)
 Case with_cells(const Case& c, double size)
 {
   Case finer = c;
-  std::visit([size](auto& s) { simulation::scale_cells(s, s.lower.shape, s.upper.shape, size); }, finer.scenario);
+  try
+  {
+    std::visit([size](auto& s) { simulation::scale_cells(s, s.lower.shape, s.upper.shape, size); }, finer.scenario);
+  }
+  catch (const GridError& error)
+  {
+    throw InputError(fmt::format("{}: {}", c.grid_source, error.what()));
+  }
   return finer;
 }
 
@@ -181,8 +188,8 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
 {
   Accuracy accuracy;
   accuracy.asked = c.accuracy.value_or(0.0);
-  std::vector<double> cells(
-      levels.size()); // a period is a whole number of cells, so that they are not exactly as asked
+  // A period is a whole number of cells, so that these are not exactly as asked.
+  std::vector<double> cells(levels.size());
   std::transform(levels.begin(), levels.end(), cells.begin(), [](const Level& level) { return level.spacing[0]; });
   const Numbers& finest = levels.back().numbers;
   const auto largest = largest_by_unit(c, finest);

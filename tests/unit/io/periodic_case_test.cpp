@@ -174,7 +174,7 @@ TEST(PeriodicCase, CellsTwice)
   expect_refused(indentation(wavy, "load = [10]", std::string(both) + spacing + "layer = \"1 um\""), 14,
                  {"grid.layer = \"1 um\" cannot stand together with grid.spacing"});
   expect_refused(indentation(wavy, "load = [10]", std::string(both) + "cells = [20, 20]\nresolution = 8"), 14,
-                 {"grid.resolution = 8 applies only with grid.boundary"});
+                 {"grid.resolution = 8 applies only with grid.boundary", "allowed: grid.cells or grid.spacing"});
   expect_refused(
       indentation(wavy, "load = [10]", std::string(both) + "spacing = [\"30 um\", \"50 um\", \"20 um\"]"), 12,
       {"grid.size = 0.001 m along x is 33.3333 cells of grid.spacing = 3e-05 m", "allowed: a whole number of cells"});

@@ -166,7 +166,9 @@ TEST(ScaleCells, APeriodStaysAWholeNumberOfCells)
   by_number.domain.y.cells = 1;
   EXPECT_EQ(cells(0.5)[1], 1);
   by_number.domain.y.cells = 3; // two sizes of a series would be the same
-  EXPECT_THROW(static_cast<void>(cells(0.5)), KeyError);
+  EXPECT_THROW(static_cast<void>(cells(0.5)), GridError);
+  by_size.spacing = {0.5e-4, 1e-5, 5e-6};
+  EXPECT_THROW(scale_cells(by_size, flat, flat, 0.5), GridError);
 }
 
 } // namespace
