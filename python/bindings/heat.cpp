@@ -61,7 +61,7 @@ Shape layers_of(const Field& field)
   return layers;
 }
 
-Output displacement(const ThermalField& field, char axis, double later)
+Output thermal_displacement(const ThermalField& field, char axis, double later)
 {
   std::vector<double> u(field.grid().size());
   const auto part = [&](char of) { return axis == of ? std::span<double>(u) : std::span<double>{}; };
@@ -205,7 +205,7 @@ void bind_heat(nb::module_& m)
             without_lock([&] { field.take_up(q, motion); });
           },
           "flux"_a, "motion"_a)
-      .def("displacement", &displacement, "axis"_a, "later"_a)
+      .def("displacement", &thermal_displacement, "axis"_a, "later"_a)
       .def(
           "temperature",
           [](const ThermalField& field, double later) {

@@ -2,6 +2,7 @@
 #include "brinell/contact/contact_stiffness.hpp"
 
 #include "brinell/contact/elastic_contact.hpp"
+#include "foundation/nan.hpp"
 #include "foundation/require_size.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ double stiffness(const halfspace::SurfaceCompliance& compliance, std::span<const
   {
     const Report report = contact.solve(distance, {Drive::Kind::load, load}, tolerance, most_iterations, punch, gap);
     if (!report.converged || !(report.approach > 0.0))
-      return std::numeric_limits<double>::quiet_NaN();
+      return nan;
     if (tolerance <= 1.1 * accuracy * report.approach)
       return load / report.approach;
     tolerance = accuracy * report.approach;

@@ -181,7 +181,7 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
                  d[i] = is_free(p[i], g[i]) ? correction[i] + beta * d[i] - mean : 0.0;
              });
   displace(direction_, image_);
-  const double curvature = dot(direction_, image_);
+  const double curvature = brinell::dot(direction_, image_);
   slope = new_slope;
   return curvature > 0.0 ? (new_slope + beta * before) / curvature : 0.0;
 }

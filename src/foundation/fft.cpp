@@ -2,13 +2,12 @@
 #include "foundation/fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/fftw.hpp"
 #include "foundation/lane_fft.hpp"
 #include "foundation/lane_functions.hpp"
-#include "foundation/planner_lock.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fftw3.h>
 #include <numbers>
 
 namespace brinell
@@ -16,11 +15,6 @@ namespace brinell
 
 namespace
 {
-
-fftw_complex* as_fftw(Complex* c)
-{
-  return reinterpret_cast<fftw_complex*>(c);
-}
 
 bool is_smooth(int n)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/fork.hpp"
 
-#include "planner_lock.hpp"
+#include "fftw.hpp"
 
 #include <omp.h>
 

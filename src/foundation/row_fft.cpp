@@ -2,12 +2,11 @@
 #include "foundation/row_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/fftw.hpp"
 #include "foundation/lane_functions.hpp"
-#include "foundation/planner_lock.hpp"
 
 #include <algorithm>
 #include <array>
-#include <fftw3.h>
 
 namespace brinell
 {
@@ -22,11 +21,6 @@ constexpr int worth_together = 3 * lane_count / 4;
 #else
 constexpr int worth_together = RowFft::most_rows + 1;
 #endif
-
-fftw_complex* as_fftw(Complex* c)
-{
-  return reinterpret_cast<fftw_complex*>(c);
-}
 
 /// A square of values: `lane_count` rows at as many neighbouring positions or wavenumbers. Loops over a tile are unrolled, so
 /// that it stays in registers.

@@ -38,7 +38,7 @@ struct Decay
 
 /// @param rate, left    kappa s^2 t of the mode, and e^{-rate}
 /// @param rates, lefts  kappa k^2 t of the waves in the lanes, and e^{-rates}
-Decay decay(double rate, double left, const Lanes& rates, const Lanes& lefts)
+Decay decay_of(double rate, double left, const Lanes& rates, const Lanes& lefts)
 {
   const Lanes x = rate + rates, remains = left * lefts;
   const auto is_small = x < 1e-4;
@@ -159,7 +159,7 @@ void BuriedHeat::step_block(std::size_t number, const Step& step, Scratch& scrat
   ComplexLanes* modes = modes_.data() + number * n;
   for (std::size_t l = 0; l < n; ++l)
   {
-    const Decay of_mode = decay(step.rates[l], step.left[l], block.rates, block.left_along);
+    const Decay of_mode = decay_of(step.rates[l], step.left[l], block.rates, block.left_along);
     modes[l] = of_mode.left * before[l] + of_mode.in * scratch.in[l];
   }
   find_temperature(number, scratch);

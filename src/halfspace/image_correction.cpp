@@ -15,7 +15,6 @@ namespace
 using images::strains;
 using images::stresses;
 
-constexpr double pi = std::numbers::pi;
 constexpr int enlargement = 2; ///< ratio of the periods of successive lattices
 constexpr int enlargements = 3;
 
@@ -45,9 +44,9 @@ struct Period
   /// stress of images along the other axis is uniform along it, since the padding of `padded_lengths` lets all other waves decay.
   [[nodiscard]] int last_wave(double k_max) const
   {
-    return is_open ? static_cast<int>(k_max * enlargement * length / (2.0 * pi)) : 0;
+    return is_open ? static_cast<int>(k_max * enlargement * length / (2.0 * std::numbers::pi)) : 0;
   }
-  [[nodiscard]] double wavenumber(int index) const { return 2.0 * pi * index / (enlarged() * length); }
+  [[nodiscard]] double wavenumber(int index) const { return 2.0 * std::numbers::pi * index / (enlarged() * length); }
 };
 
 /// Smallest distance from a cell of the grid to an image of another cell: between the far edges of both.

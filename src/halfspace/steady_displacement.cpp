@@ -14,11 +14,12 @@ namespace
 {
 
 /// Offsets along one axis, as cells of a grid of their own.
-struct Offsets
+struct OffsetCells
 {
   int count, middle;
 
-  Offsets(int cells, bool is_periodic) : count(is_periodic ? cells : 2 * cells - 1), middle(is_periodic ? 0 : cells - 1)
+  OffsetCells(int cells, bool is_periodic)
+      : count(is_periodic ? cells : 2 * cells - 1), middle(is_periodic ? 0 : cells - 1)
   {
   }
   /// Index of the offset number n in a transform of this length.
@@ -71,7 +72,7 @@ std::vector<double> steady_displacement(const SteadyLattices& lattices, const Th
 AlignedVector<Complex> spectrum_of_offsets(const PaddedFft& fft, std::span<const double> table)
 {
   const SurfaceGrid& grid = fft.grid();
-  const Offsets x(grid.nx, grid.is_periodic_x()), y(grid.ny, grid.is_periodic_y());
+  const OffsetCells x(grid.nx, grid.is_periodic_x()), y(grid.ny, grid.is_periodic_y());
   AlignedVector<double> response(static_cast<std::size_t>(fft.px()) * static_cast<std::size_t>(fft.py()));
   for (int j = 0; j < y.count; ++j)
     for (int i = 0; i < x.count; ++i)

@@ -13,8 +13,6 @@ namespace brinell::halfspace
 namespace
 {
 
-constexpr double pi = std::numbers::pi;
-
 /// Low-pass factor on a wave of the far fields: 1 for wavelengths of `clear` and more, with a decrease so smooth that the omitted
 /// part remains localised at its source.
 double kept(double k, double clear)
@@ -33,7 +31,7 @@ struct Chebyshev
   {
     for (int n = 0; n < count; ++n)
     {
-      const double angle = pi * (n + 0.5) / count;
+      const double angle = std::numbers::pi * (n + 0.5) / count;
       points.push_back(0.5 * (low + high) - 0.5 * (high - low) * std::cos(angle));
       weights.push_back((n % 2 == 0 ? 1.0 : -1.0) * std::sin(angle));
     }
@@ -90,7 +88,8 @@ SteadyLattices::SteadyLattices(const SurfaceGrid& grid, const Thermal& thermal, 
     : thermal_(thermal), velocity_(velocity), offsets_(grid)
 {
   // On a small grid the lattice is larger, so that the waves of the far fields are longer than the cells.
-  const double far_enough = last_kept / pi * (grid.is_periodic_y() ? grid.dx : std::max(grid.dx, grid.dy));
+  const double far_enough =
+      last_kept / std::numbers::pi * (grid.is_periodic_y() ? grid.dx : std::max(grid.dx, grid.dy));
   const double length = std::max(grid.nx * grid.dx, far_enough), width = grid.ny * grid.dy;
   x_ = {fast_length(static_cast<int>(std::ceil(4.0 * length / grid.dx))), 1 - grid.nx, 2 * grid.nx - 1, grid.dx, true};
   // Distance to the omitted earlier heat, and to that of the nearest image.
@@ -133,7 +132,7 @@ int SteadyLattices::levels(double deepest) const
 
 SurfaceWave SteadyLattices::wave(int a, int b, int level) const
 {
-  const double kx = 2.0 * pi * a / x_.period(level), ky = 2.0 * pi * b / y_.period(level);
+  const double kx = 2.0 * std::numbers::pi * a / x_.period(level), ky = 2.0 * std::numbers::pi * b / y_.period(level);
   const auto shortest = [&](int n, const Axis& along)
   { return 2.0 * n == (along.is_open ? std::ldexp(along.length, level) : along.length); };
   return {kx, ky, std::hypot(kx, ky), shortest(a, x_) ? 0.0 : kx, shortest(b, y_) ? 0.0 : ky};
@@ -182,7 +181,8 @@ void SteadyLattices::add_far(int level, double factor, std::span<const double> d
   const auto waves = [&](const Axis& along)
   {
     const int spacing = along.is_open ? level + 1 : 0;
-    const double most = std::min(std::ldexp(along.length, spacing) / 2.0, last * along.period(level + 1) / (2.0 * pi));
+    const double most =
+        std::min(std::ldexp(along.length, spacing) / 2.0, last * along.period(level + 1) / (2.0 * std::numbers::pi));
     return static_cast<int>(std::floor(most));
   };
   const double cell = x_.size * y_.size;
@@ -196,7 +196,7 @@ void SteadyLattices::add_far(int level, double factor, std::span<const double> d
   std::vector<Complex> across; // e^{i ky y} [wave][node]
   for (int b = 0; b <= last_b; ++b)
     for (const double y : along_y.places)
-      across.push_back(std::polar(1.0, 2.0 * pi * b / y_.period(level + 1) * y));
+      across.push_back(std::polar(1.0, 2.0 * std::numbers::pi * b / y_.period(level + 1) * y));
   for (int a = 0; a <= waves(x_); ++a)
   {
     std::fill(rows.begin(), rows.end(), Complex{});

@@ -16,8 +16,8 @@ namespace
 {
 
 /// Three-point Gauss-Legendre rule on [-1/2, 1/2]: the mean over a layer.
-constexpr std::array<double, 3> gauss_point{-0.38729833462074168852, 0.0, 0.38729833462074168852};
-constexpr std::array<double, 3> gauss_weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+constexpr std::array<double, 3> point_of_layer{-0.38729833462074168852, 0.0, 0.38729833462074168852};
+constexpr std::array<double, 3> weight_of_layer{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
 } // namespace
 
@@ -67,13 +67,13 @@ std::array<double, 6> kernel_values(const SymTensor& t)
 Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double poisson_ratio, Traction traction)
 {
   Quadrant<SymTensor> mean(grid.surface);
-  for (std::size_t g = 0; g < gauss_point.size(); ++g)
+  for (std::size_t g = 0; g < point_of_layer.size(); ++g)
   {
     const Quadrant<SymTensor> part =
-        cell_stress(grid.surface, (layer + 0.5 + gauss_point[g]) * grid.dz, poisson_ratio, traction);
+        cell_stress(grid.surface, (layer + 0.5 + point_of_layer[g]) * grid.dz, poisson_ratio, traction);
     for (std::size_t n = 0; n < mean.values.size(); ++n)
       for (std::size_t c = 0; c < 6; ++c)
-        mean.values[n][c] += gauss_weight[g] * part.values[n][c];
+        mean.values[n][c] += weight_of_layer[g] * part.values[n][c];
   }
   return mean;
 }
@@ -94,13 +94,13 @@ namespace
 {
 
 /// Depth factors of a wave, as means over a layer.
-struct Decay
+struct LayerMean
 {
   double level;  ///< of e^{-kz}
   double rising; ///< of k z e^{-kz}
 };
 
-Decay mean_decay(double thickness, int layer)
+LayerMean mean_decay(double thickness, int layer)
 {
   const double top = layer * thickness;
   const double mean = -std::expm1(-thickness) / thickness;
@@ -114,7 +114,7 @@ Decay mean_decay(double thickness, int layer)
 /// and that of one along t: lt = i, tz = -1 (Johnson 1985, section 13.2; docs/theory/half-space.md).
 /// @param lx, ly  components of the unit vector along l
 /// @return  amplitudes, without the factor i in those that are odd in x and even in y, or the other way round
-SymTensor wave_stress(Traction traction, double lx, double ly, const Decay& decay, double nu)
+SymTensor wave_stress(Traction traction, double lx, double ly, const LayerMean& decay, double nu)
 {
   if (traction == Traction::shear_y)
     return xy_exchanged(wave_stress(Traction::shear_x, ly, lx, decay, nu));

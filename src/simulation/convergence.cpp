@@ -2,6 +2,7 @@
 #include "brinell/simulation/convergence.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,6 @@ struct Half
 
 Half half_interval(std::span<const double> h, std::span<const double> f)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::size_t n = f.size();
   const double r21 = h[n - 2] / h[n - 1];
   const double d21 = f[n - 2] - f[n - 1];

@@ -30,7 +30,7 @@ constexpr double constraint_factor = 2.8;
 constexpr double representative_strain = 0.02;
 
 /// Combined material properties of both bodies.
-struct Pair
+struct Combined
 {
   double modulus;        ///< E' [Pa]
   double yield_pressure; ///< peak pressure at first yield [Pa]; infinite if nothing yields
@@ -38,10 +38,10 @@ struct Pair
   double flow_stress;    ///< at the representative strain [Pa]
 };
 
-Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double friction)
+Combined pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double friction)
 {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  Pair pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
+  Combined pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
   if (const std::optional<PairYield> yield = earliest_yield(
           lower.material, upper.material,
           touch_all_along_y(lower.shape, upper.shape, domain) ? ContactKind::line : ContactKind::point, friction))
@@ -64,14 +64,14 @@ Pair pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& dom
 
 /// Ratio of the contact radius to that of the elastic contact, from the mean pressure of the elastic contact, for an imposed
 /// load.
-double growth_under_load(const Pair& pair, double elastic_mean_pressure)
+double growth_under_load(const Combined& pair, double elastic_mean_pressure)
 {
   const double share = elastic_mean_pressure / (constraint_factor * pair.flow_stress);
   return std::pow(1.0 + share * share, 0.25);
 }
 
 /// The same ratio for an imposed approach (area by Jackson and Green 2005, for steels).
-double growth_under_approach(const Pair& pair, double elastic_peak_pressure)
+double growth_under_approach(const Combined& pair, double elastic_peak_pressure)
 {
   const double ratio = std::pow(elastic_peak_pressure / pair.yield_pressure, 2) / 1.9;
   return std::min(1.6, std::pow(std::max(1.0, ratio), 0.085));
@@ -79,13 +79,13 @@ double growth_under_approach(const Pair& pair, double elastic_peak_pressure)
 
 /// Radius of the plastic zone (expanding cavity, Johnson 1985, Eq. 6.33) around a contact of radius a at the slope
 /// `inclination` of the surfaces at its edge.
-double plastic_reach(const Pair& pair, double a, double inclination)
+double plastic_reach(const Combined& pair, double a, double inclination)
 {
   const double constraint = pair.modulus * inclination / (5.0 * pair.yield_stress);
   return a * std::cbrt(std::max(1.0, constraint));
 }
 
-Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, const Drive& drive)
+Footprint of_paraboloids(const Combined& pair, double radius_x, double radius_y, const Drive& drive)
 {
   const bool by_load = drive.kind == Drive::Kind::load;
   const reference::EllipticalContact e =
@@ -111,7 +111,7 @@ Footprint of_paraboloids(const Pair& pair, double radius_x, double radius_y, con
 }
 
 /// Parameters of a line contact.
-struct Line
+struct LineContact
 {
   double radius = 0.0, length = 0.0; ///< equivalent radius, and length over which the load acts [m]
   double widest = 0.0;               ///< largest half-width for which the approach still grows with the half-width [m]
@@ -121,7 +121,7 @@ struct Line
 /// Half-width of an elastic line contact with a given approach [m]; `widest` if the approach cannot be reached.
 /// @param approach  function of the half-width b [m]: b^2/(4 R) times a factor >= 1.
 template <typename Approach>
-double half_width_at(double wanted, const Line& line, const Approach& approach)
+double half_width_at(double wanted, const LineContact& line, const Approach& approach)
 {
   double low = 0.0;
   double high = std::min(line.widest, 2.0 * std::sqrt(line.radius * wanted));
@@ -133,7 +133,7 @@ double half_width_at(double wanted, const Line& line, const Approach& approach)
 /// Bodies that touch in a line along y. The load of an elastic contact of half-width b is pi E' L b^2/(4 R) (Johnson 1985,
 /// section 4.2); the approach contains a logarithm that depends on the ends of the line, or on the boundary conditions beside it.
 template <typename Approach>
-Footprint of_line(const Pair& pair, const Line& line, const Drive& drive, const Approach& approach)
+Footprint of_line(const Combined& pair, const LineContact& line, const Drive& drive, const Approach& approach)
 {
   const bool by_load = drive.kind == Drive::Kind::load;
   const double R = line.radius;
@@ -156,7 +156,7 @@ Footprint of_line(const Pair& pair, const Line& line, const Drive& drive, const 
 }
 
 /// A cylinder of finite length; its approach grows with the logarithm of length over width.
-Footprint of_roller(const Pair& pair, double radius, double length, const Drive& drive)
+Footprint of_roller(const Combined& pair, double radius, double length, const Drive& drive)
 {
   const auto approach = [&](double b)
   { return b * b / (4.0 * radius) * (1.0 + std::log(1.0 + std::pow(length / b, 2))); };
@@ -170,8 +170,8 @@ Footprint of_roller(const Pair& pair, double radius, double length, const Drive&
 /// An infinite cylinder in plane strain (Johnson 1985, sections 4.2 and 5.6). With zero displacement at the distance l the
 /// approach is b^2/(4 R) (1 + 2 ln(2 l/b)). It grows up to b = 2 l, where its derivative by b, b/R ln(2 l/b), vanishes: a strip
 /// of that width, whose logarithmic capacity is b/2 = l, has no stiffness left.
-Footprint of_endless_line(const Pair& pair, double radius, const Shape& lower, const Shape& upper, const Drive& drive,
-                          const Domain& domain)
+Footprint of_endless_line(const Combined& pair, double radius, const Shape& lower, const Shape& upper,
+                          const Drive& drive, const Domain& domain)
 {
   // Lines in a period L along x have -ln(2 sin(pi x/L)) instead of -ln(x/l), which is the same for small x.
   const double reference =
@@ -192,7 +192,7 @@ Footprint of_endless_line(const Pair& pair, double radius, const Shape& lower, c
 
 /// A cone or a pyramid with a given slope, or the ball at its tip, whichever has the larger contact.
 /// @param reach  ratio of the contact's half-width to the radius of the circle with the same area.
-Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach, const Drive& drive)
+Footprint of_tip(const Combined& pair, double slope, double tip_radius, double reach, const Drive& drive)
 {
   const double elastic_mean = 0.5 * pair.modulus * slope; // Sneddon
   const double share = elastic_mean / (constraint_factor * pair.flow_stress);
@@ -218,7 +218,8 @@ Footprint of_tip(const Pair& pair, double slope, double tip_radius, double reach
   return f;
 }
 
-Footprint of_shapes(const Pair& pair, const Shape& lower, const Shape& upper, const Drive& drive, const Domain& domain)
+Footprint of_shapes(const Combined& pair, const Shape& lower, const Shape& upper, const Drive& drive,
+                    const Domain& domain)
 {
   for (const Shape* shape : {&lower, &upper}) // opposite to a tip the other surface counts as flat
   {
@@ -282,8 +283,8 @@ namespace
 {
 
 /// @param pair  properties of these bodies with this friction, passed because computing them takes a search
-Footprint smooth_footprint_of(const Pair& pair, const ShapedBody& lower, const ShapedBody& upper, const Drive& drive,
-                              const Domain& domain, double friction)
+Footprint smooth_footprint_of(const Combined& pair, const ShapedBody& lower, const ShapedBody& upper,
+                              const Drive& drive, const Domain& domain, double friction)
 {
   for (const ShapedBody* body : {&lower, &upper})
     if (const auto* p = std::get_if<Paraboloid>(&body->shape); p && (p->radius_x == 0.0 || p->radius_y == 0.0))
@@ -319,7 +320,7 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
 {
   if (drive.kind == Drive::Kind::load)
     require_finite_depth(lower, upper, drive.value, domain);
-  const Pair pair = pair_of(lower, upper, domain, friction);
+  const Combined pair = pair_of(lower, upper, domain, friction);
   if (domain.is_periodic() && are_flat(lower, upper) && !are_smooth(lower, upper))
   {
     Footprint f = of_flats(lower, upper, pair.modulus, pair.yield_pressure, drive, domain);

@@ -2,11 +2,11 @@
 #include "indent.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/nan.hpp"
 #include "records.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace brinell::simulation
 {
@@ -16,7 +16,6 @@ namespace
 
 /// Loads that differ by less than this share of the largest one are the same load.
 constexpr double same_load = 1e-9;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "brinell/foundation/error.hpp"
 #include "domain.hpp"
 #include "footprint.hpp"
+#include "foundation/nan.hpp"
 #include "friction.hpp"
 #include "grid_layout.hpp"
 #include "indent.hpp"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
 namespace brinell::simulation
@@ -28,8 +28,6 @@ namespace
 {
 
 using contact::Drive;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Motion of indentation: loading and unloading, place after place.
 class Indentation

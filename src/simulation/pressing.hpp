@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "foundation/nan.hpp"
 #include "stepper.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 /// Common parts of scenarios in which one body is pressed on the other.
@@ -20,7 +20,7 @@ template <typename Record>
 void read_period(const elastoplastic::CoupledContact& pair, Record& r)
 {
   const SurfaceGrid& grid = pair.grid();
-  r.nominal_pressure = r.contact_fraction = r.mean_gap = std::numeric_limits<double>::quiet_NaN();
+  r.nominal_pressure = r.contact_fraction = r.mean_gap = nan;
   if (!grid.is_periodic())
     return;
   const auto cells = static_cast<double>(grid.size());

@@ -2,6 +2,7 @@
 #include "brinell/simulation/quality.hpp"
 
 #include "footprint.hpp"
+#include "foundation/nan.hpp"
 #include "heat.hpp"
 #include "judgement_parts.hpp"
 #include "roughness.hpp"
@@ -249,7 +250,6 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
 
 Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<Warning> of_course)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Coverage& seen = totals.coverage;
   const bool touched = seen.contact_columns > 0;
   const double cells_x = f.is_patchy ? f.half_x / f.cell[0] : 0.5 * seen.contact_columns;

@@ -16,7 +16,6 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-9;
 constexpr double longest_in_cutoffs = 4096.0; ///< largest ratio of size to cutoff: some 26 million waves, 0.5 GB
 
@@ -56,7 +55,7 @@ public:
   Complex next()
   {
     const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    const double angle = 2.0 * pi * uniform();
+    const double angle = 2.0 * std::numbers::pi * uniform();
     return {radius * std::cos(angle), radius * std::sin(angle)};
   }
 
@@ -118,7 +117,7 @@ Unscaled unscaled(const SelfAffine& p)
              w.amplitudes[w.index(i, j)] = amplitude;
              const double square = 0.5 * std::norm(amplitude);
              u.height_squared += square;
-             u.slope_squared += square * std::pow(2.0 * pi * frequency, 2);
+             u.slope_squared += square * std::pow(2.0 * std::numbers::pi * frequency, 2);
            });
   return u;
 }
@@ -132,7 +131,7 @@ std::vector<Complex> waves_at(double x, double size, int first, int last)
   const double turns = x / size;
   for (int n = first; n <= last; ++n)
   {
-    const double angle = 2.0 * pi * std::remainder(n * turns, 1.0);
+    const double angle = 2.0 * std::numbers::pi * std::remainder(n * turns, 1.0);
     values.emplace_back(std::cos(angle), std::sin(angle));
   }
   return values;
@@ -312,7 +311,7 @@ RandomSurface::RandomSurface(const SelfAffine& parameters) : parameters_(paramet
 
 double mean_over_cell(double cell, double wavelength)
 {
-  const double half = pi * cell / wavelength;
+  const double half = std::numbers::pi * cell / wavelength;
   return half == 0.0 ? 1.0 : std::sin(half) / half;
 }
 

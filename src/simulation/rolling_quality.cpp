@@ -21,11 +21,12 @@ constexpr Documented rut{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5, Documen
 constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0, Documented::Of::contact, 0.3, true};
 constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8.0,
                                          1.0,   Documented::Of::contact, 0.3,  true};
-constexpr Documented resistance{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5, Documented::Of::contact, 1.0};
+constexpr Documented resistance_to_rolling{"resistance", "passes[*].resistance_N", 0.08, 4.0,
+                                           1.5,          Documented::Of::contact,  1.0};
 constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.09, 4.0,
                                  1.5,           Documented::Of::contact,   1.0};
 /// Of point contacts.
-constexpr Documented of_points[] = {
+constexpr Documented of_rolled_points[] = {
     {"shoulder", "passes[*].shoulder_height_m", 0.08, 8.0, 1.0, Documented::Of::contact, 0.3, true},
     {"strain under the track", "passes[*].track_plastic_strain", 0.035, 8.0, 1.0, Documented::Of::contact, 0.3},
     {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Documented::Of::elastic_contact, 0.02},
@@ -60,8 +61,8 @@ bool hardly_resists(const RollingCase& c, const std::vector<RollingPass>& passes
 }
 
 /// @param passes  finished passes; none before the run
-std::vector<Documented> documented(const RollingCase& c, const RollingPlan& plan, bool is_plane,
-                                   const std::vector<RollingPass>& passes)
+std::vector<Documented> documented_of_passes(const RollingCase& c, const RollingPlan& plan, bool is_plane,
+                                             const std::vector<RollingPass>& passes)
 {
   std::vector<Documented> errors;
   if (c.creepage)
@@ -70,18 +71,18 @@ std::vector<Documented> documented(const RollingCase& c, const RollingPlan& plan
     errors.push_back(spin_moment);
   errors.push_back(!is_plane ? rut : c.friction.coefficient > 0.0 ? rut_of_sliding_line : rut_of_line);
   if (!hardly_resists(c, passes))
-    errors.push_back(resistance);
+    errors.push_back(resistance_to_rolling);
   errors.push_back(dissipation);
   errors.back().further = std::abs(plan.rolling_steps * plan.shift / c.distance - 1.0); // length of the track
   if (!is_plane)
-    errors.insert(errors.end(), std::begin(of_points), std::end(of_points));
+    errors.insert(errors.end(), std::begin(of_rolled_points), std::end(of_rolled_points));
   return errors;
 }
 
 Facts facts(const RollingCase& c, const RollingPlan& plan, const std::vector<RollingPass>& passes = {})
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
-  f.documented = documented(c, plan, f.is_plane, passes);
+  f.documented = documented_of_passes(c, plan, f.is_plane, passes);
   f.moves = true;
   f.slides = !c.creepage && c.slide_to_roll != 0.0;
   // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.

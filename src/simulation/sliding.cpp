@@ -4,6 +4,7 @@
 #include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "foundation/nan.hpp"
 #include "friction.hpp"
 #include "heat.hpp"
 #include "judgement.hpp"
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 
 namespace brinell::simulation
 {
@@ -26,8 +26,6 @@ namespace
 {
 
 using contact::Drive;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Motion of sliding: press, slide stroke after stroke, lift. The contact stays at the same place on the upper body.
 class Sliding
@@ -240,10 +238,10 @@ private:
 // docs/verification.md (expected error)
 constexpr Documented ploughing{
     "friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9, Documented::Of::contact, 0.3};
-constexpr Documented plastic_work{
+constexpr Documented work_of_strokes{
     "plastic work", "strokes[*].dissipation_plastic_J", 0.06, 8.0, 1.0, Documented::Of::plastic_zone, 1.0};
 /// Of point contacts.
-constexpr Documented of_points[] = {
+constexpr Documented of_slid_points[] = {
     {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.05, 8.0, 1.0, Documented::Of::contact, 0.1},
     {"contact area", "strokes[*].contact_area_m2", 0.016, 8.0, 1.0, Documented::Of::elastic_contact, 0.02},
     {"largest pressure", "strokes[*].max_pressure_Pa", 0.01, 8.0, 1.0, Documented::Of::elastic_contact, 0.02}};
@@ -267,22 +265,22 @@ bool hardly_yields(const SlidingSummary& summary)
 }
 
 /// @param summary  of a finished run; none before
-std::vector<Documented> documented(bool is_plane, const SlidingSummary* summary)
+std::vector<Documented> documented_of_strokes(bool is_plane, const SlidingSummary* summary)
 {
   std::vector<Documented> errors;
   if (!summary || !hardly_ploughs(summary->strokes))
     errors.push_back(ploughing);
   if (!summary || !hardly_yields(*summary))
-    errors.push_back(plastic_work);
+    errors.push_back(work_of_strokes);
   if (!is_plane)
-    errors.insert(errors.end(), std::begin(of_points), std::end(of_points));
+    errors.insert(errors.end(), std::begin(of_slid_points), std::end(of_slid_points));
   return errors;
 }
 
 Facts facts(const SlidingCase& c, const SlidingPlan& plan, const SlidingSummary* summary = nullptr)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
-  f.documented = documented(f.is_plane, summary);
+  f.documented = documented_of_strokes(f.is_plane, summary);
   f.moves = true;
   if (c.shift)
     f.shift = plan.shift;

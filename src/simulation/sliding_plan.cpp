@@ -5,6 +5,7 @@
 #include "brinell/foundation/error.hpp"
 #include "domain.hpp"
 #include "footprint.hpp"
+#include "foundation/nan.hpp"
 #include "friction.hpp"
 #include "grid_layout.hpp"
 #include "heat.hpp"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace brinell::simulation
 {
@@ -146,8 +146,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
   require_source_fits(sliding, plan.contact);
   plan.reference = reference_distance(sliding.lower.shape, sliding.upper.shape, sliding.domain);
-  plan.touching_gap = sliding.domain.is_periodic() ? touching_gap(pressing(sliding), plan.contact)
-                                                   : std::numeric_limits<double>::quiet_NaN();
+  plan.touching_gap = sliding.domain.is_periodic() ? touching_gap(pressing(sliding), plan.contact) : nan;
   if (sliding.domain.is_periodic())
     require_meeting(sliding, plan);
   plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,

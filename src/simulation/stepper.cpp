@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "coverage.hpp"
+#include "foundation/nan.hpp"
 #include "grid_layout.hpp"
 #include "memory.hpp"
 
@@ -105,8 +106,7 @@ Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, co
 Stepper::Stepper(const Plan& plan, Setup setup)
     : setup_(std::move(setup)), plan_(plan), lattice_(plan, setup_.start), pair_(make_pair()),
       distance_(plan.contact.size()),
-      distance_x0_(std::numeric_limits<double>::quiet_NaN()), depths_{std::vector<double>(plan.contact.size()),
-                                                                      std::vector<double>(plan.contact.size())}
+      distance_x0_(nan), depths_{std::vector<double>(plan.contact.size()), std::vector<double>(plan.contact.size())}
 {
 }
 
@@ -334,7 +334,7 @@ void Stepper::move_to(const Plan& larger)
   plan_ = larger;
   pair_ = make_pair();
   distance_.resize(plan_.contact.size());
-  distance_x0_ = std::numeric_limits<double>::quiet_NaN();
+  distance_x0_ = nan;
   depths_.lower.resize(plan_.contact.size());
   depths_.upper.resize(plan_.contact.size());
 }

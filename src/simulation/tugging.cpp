@@ -253,12 +253,12 @@ constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0,
 
 constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documented::Of::plastic_zone, 0.5};
 constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact, 1.0};
-constexpr Documented resistance{
+constexpr Documented resistance_to_tugging{
     "F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Documented::Of::contact, 1.0};
 // Of point contacts.
-constexpr Documented plastic_work{
+constexpr Documented work_of_tugging{
     "plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Documented::Of::contact, 1.0};
-constexpr Documented largest_strain{
+constexpr Documented strain_of_tugging{
     "largest plastic strain", "residual.max_equivalent_plastic_strain", 0.055, 8.0, 1.0, Documented::Of::contact, 0.1};
 
 /// Share of the work that is not friction; 1 before the run.
@@ -284,9 +284,9 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* tota
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
   const double ploughing = share_of_ploughing(totals);
   f.documented = {c.load ? peak_under_load : peak_force, dents, with_friction(net_energy, ploughing),
-                  with_friction(resistance, ploughing)};
+                  with_friction(resistance_to_tugging, ploughing)};
   if (!f.is_plane)
-    f.documented.insert(f.documented.end(), {plastic_work, largest_strain});
+    f.documented.insert(f.documented.end(), {work_of_tugging, strain_of_tugging});
   f.moves = f.slides = true;
   if (c.shift)
     f.shift = plan.shift;

@@ -151,7 +151,7 @@ double track_half_length(const TuggingCase& tugging, const Pair& pair, const Pas
   return farthest;
 }
 
-Extents extents(const TuggingCase& tugging, const Pair& pair, const Passing& passing)
+Extents extents_of(const TuggingCase& tugging, const Pair& pair, const Passing& passing)
 {
   const double scale = tugging.extent * plastic_growth(tugging, pair);
   const auto [half_x, half_y, straight_y] = pair.contact;
@@ -262,7 +262,7 @@ TuggingPlan plan(const TuggingCase& tugging)
                                  "less than either",
                                  pair.texture.height, pass.radius_lower(), pass.radius_upper()));
   TuggingPlan plan;
-  lay_out(cell, extents(tugging, pair, pass), tugging.domain, plan);
+  lay_out(cell, extents_of(tugging, pair, pass), tugging.domain, plan);
   require_cells_in_periods(tugging.lower, tugging.upper, tugging.domain, plan.contact);
   require_source_fits(tugging, plan.contact);
   plan.closest = pair.closest;

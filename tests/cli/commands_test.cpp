@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace brinell::cli
+namespace brinell::cli::commands_test
 {
 
 namespace
@@ -166,4 +166,4 @@ TEST_F(Interruption, KilledRunKeepsItsSteps)
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::commands_test

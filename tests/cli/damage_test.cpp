@@ -7,7 +7,7 @@
 #include <thread>
 
 /// What a run must survive without a wrong number: signals, limits, folders of others, a disk that fails.
-namespace brinell::cli
+namespace brinell::cli::damage_test
 {
 
 namespace
@@ -122,4 +122,4 @@ TEST_F(Damage, DamagedCheckpointIsNeverComputedWith)
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::damage_test

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace brinell::cli
+namespace brinell::cli::errors_test
 {
 
 namespace
@@ -164,4 +164,4 @@ TEST_F(Errors, FolderThatCannotBeMade)
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::errors_test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace brinell::cli
+namespace brinell::cli::heat_source_test
 {
 
 namespace
@@ -80,4 +80,4 @@ TEST_F(HeatSource, WhatIsNoSourceIsRefusedAtItsLine)
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::heat_source_test

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What `brinell check` foretells of the memory of a run, against what real ones take.
-namespace brinell::cli
+namespace brinell::cli::memory_test
 {
 
 namespace
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::memory_test

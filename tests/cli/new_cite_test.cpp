@@ -5,7 +5,7 @@
 #include <algorithm>
 
 /// `brinell new`, `brinell cite`, and what the program says of commands that it does not have.
-namespace brinell::cli
+namespace brinell::cli::new_cite_test
 {
 
 namespace
@@ -123,4 +123,4 @@ TEST_F(Refusals, CommandsOfThePythonPackage)
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::new_cite_test

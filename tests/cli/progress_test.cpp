@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell::app
+namespace brinell::app::progress_test
 {
 
 namespace
@@ -37,4 +37,4 @@ TEST(ProgressLine, HasALongBarWhereThereIsRoom)
 
 } // namespace
 
-} // namespace brinell::app
+} // namespace brinell::app::progress_test

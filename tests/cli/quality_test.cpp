@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::cli
+namespace brinell::cli::quality_test
 {
 
 namespace
@@ -271,4 +271,4 @@ output = {snapshots = "none"}
   EXPECT_FALSE(tells("interface.friction", "0.05")) << "the limit is not reached";
 }
 
-} // namespace brinell::cli
+} // namespace brinell::cli::quality_test

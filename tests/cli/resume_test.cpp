@@ -7,7 +7,7 @@
 #include <thread>
 
 /// A run that was stopped, however that came, goes on with --resume and ends as one that was not.
-namespace brinell::cli
+namespace brinell::cli::resume_test
 {
 
 namespace
@@ -203,4 +203,4 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, ResumeEveryScenario, testing::ValuesIn(io::s
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::resume_test

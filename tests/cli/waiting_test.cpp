@@ -2,7 +2,7 @@
 #include "program.hpp"
 
 /// How the program's threads wait for each other, as OpenMP tells it when it is asked to by OMP_DISPLAY_ENV.
-namespace brinell::cli
+namespace brinell::cli::waiting_test
 {
 
 namespace
@@ -50,4 +50,4 @@ TEST_F(Waiting, WhatItAsksForIsNotForOtherTests)
 
 } // namespace
 
-} // namespace brinell::cli
+} // namespace brinell::cli::waiting_test

@@ -12,7 +12,7 @@
 
 /// Runs each folder of cases/ as a user would and compares summary.json with expected.toml. With BRINELL_UPDATE=1 in the
 /// environment the values that were recorded are recorded anew; analytic ones and those of the literature never are.
-namespace brinell::regression
+namespace brinell::regression::cases_test
 {
 
 namespace
@@ -108,4 +108,4 @@ INSTANTIATE_TEST_SUITE_P(All, Cases, testing::ValuesIn(case_names()),
 
 } // namespace
 
-} // namespace brinell::regression
+} // namespace brinell::regression::cases_test

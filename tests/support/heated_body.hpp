@@ -31,7 +31,7 @@ inline HeatedLayer layer_of(const halfspace::ThermalField& field, std::size_t la
   Field deviator(Deviator::size * n), trace(n);
   field.layer(layer, {result.temperature, deviator, trace}, duration);
   for (std::size_t i = 0; i < n; ++i)
-    result.stress[i] = to_tensor(deviator_at(deviator, n, i), trace[i]);
+    result.stress[i] = to_tensor(brinell::deviator_at(deviator, n, i), trace[i]);
   return result;
 }
 

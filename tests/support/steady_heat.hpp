@@ -25,7 +25,7 @@ inline std::vector<HeatedLayer> layers_of(const halfspace::SteadyField& field, c
   field.layers(flux, 0, out);
   for (std::size_t d = 0; d < depths; ++d)
     for (std::size_t i = 0; i < n; ++i)
-      result[d].stress[i] = to_tensor(deviator_at(deviator[d], n, i), trace[d][i]);
+      result[d].stress[i] = to_tensor(brinell::deviator_at(deviator[d], n, i), trace[d][i]);
   return result;
 }
 

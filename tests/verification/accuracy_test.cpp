@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::verification
+namespace brinell::verification::accuracy_test
 {
 namespace
 {
@@ -181,4 +181,4 @@ TEST_P(Accuracy, AlsoOfCasesThatTheRuleWasNotMadeOn)
 INSTANTIATE_TEST_SUITE_P(Cases, Accuracy, testing::Range(std::size_t{0}, std::size_t{10}));
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::accuracy_test

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// One pair of asperities on otherwise smooth surfaces, as a sliding of rough surfaces and as a tugging.
-namespace brinell::verification
+namespace brinell::verification::asperity_pair_test
 {
 namespace
 {
@@ -132,4 +132,4 @@ TEST(AsperityPair, InAPeriodHasItsImages)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::asperity_pair_test

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// How two bodies share the heat of friction, from slow to fast contacts.
-namespace brinell::verification
+namespace brinell::verification::blok_partition_test
 {
 namespace
 {
@@ -243,4 +243,4 @@ TEST(BlokPartition, FastBodiesShareByTheirConstants)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::blok_partition_test

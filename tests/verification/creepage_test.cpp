@@ -10,7 +10,7 @@
 #include <cstdio>
 
 /// Stick and slip of elastic bodies that roll.
-namespace brinell::verification
+namespace brinell::verification::creepage_test
 {
 namespace
 {
@@ -78,4 +78,4 @@ TEST(Kalker, CreepCoefficientsOfBalls)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::creepage_test

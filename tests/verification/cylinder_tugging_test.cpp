@@ -14,7 +14,7 @@
 #include <utility>
 
 /// Cylinders in plane strain, in units of their own first yield (Green 2005).
-namespace brinell::verification
+namespace brinell::verification::cylinder_tugging_test
 {
 namespace
 {
@@ -240,4 +240,4 @@ TEST(CylinderTugging, SwappedBodiesMirrorThePassInUnitsOfTheWeakerOne)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::cylinder_tugging_test

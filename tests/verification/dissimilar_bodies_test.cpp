@@ -9,7 +9,7 @@
 #include <cmath>
 
 /// Bodies of different size and material, several passes.
-namespace brinell::verification
+namespace brinell::verification::dissimilar_bodies_test
 {
 namespace
 {
@@ -150,4 +150,4 @@ TEST(RepeatedPasses, LoseLessAndKeepTheWholeTrack)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::dissimilar_bodies_test

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Two spheres that stay elastic give back all the work that went in, along the closed form of Hertz' theory.
-namespace brinell::verification
+namespace brinell::verification::elastic_tugging_test
 {
 namespace
 {
@@ -152,4 +152,4 @@ TEST(ElasticTugging, PaperKinematicsComeBackToZeroWork)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::elastic_tugging_test

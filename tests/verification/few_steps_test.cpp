@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace brinell::verification
+namespace brinell::verification::few_steps_test
 {
 namespace
 {
@@ -100,4 +100,4 @@ TEST(FewSteps, OfALongShiftAreToldOfTugging)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::few_steps_test

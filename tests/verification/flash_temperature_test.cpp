@@ -15,7 +15,7 @@
 #include <vector>
 
 /// Temperatures of heat sources at rest and in motion, in cases as a user writes them, against exact ones.
-namespace brinell::verification
+namespace brinell::verification::flash_temperature_test
 {
 namespace
 {
@@ -278,4 +278,4 @@ TEST(FlashTemperature, MovingContactOfHertz)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::flash_temperature_test

@@ -15,7 +15,7 @@
 #include <vector>
 
 /// Pressed bodies that are moved to and fro: closed forms of elastic ones, balance of energy, shakedown.
-namespace brinell::verification
+namespace brinell::verification::fretting_test
 {
 namespace
 {
@@ -349,4 +349,4 @@ TEST(Fretting, HardeningBodiesShakeDown)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::fretting_test

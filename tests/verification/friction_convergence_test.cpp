@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Bodies that slide with friction: what cells and steps change.
-namespace brinell::verification
+namespace brinell::verification::friction_convergence_test
 {
 namespace
 {
@@ -192,4 +192,4 @@ TEST(Friction, RubbingConvergesWithTheCells)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::friction_convergence_test

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Bodies that slide with friction: balance of energy, symmetry, the limit of the shear.
-namespace brinell::verification
+namespace brinell::verification::friction_test
 {
 namespace
 {
@@ -201,4 +201,4 @@ TEST(Friction, ThreadsChangeNothing)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::friction_test

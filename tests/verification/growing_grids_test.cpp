@@ -12,7 +12,7 @@
 /// Grids that begin too small grow, and the run ends with what it gives on grids that were large enough from the start: what
 /// differs is what the truncated strain at the edges (1 % of the largest at most) and the image correction do, whose fit is
 /// good to some 1e-4 of the largest stress.
-namespace brinell::verification
+namespace brinell::verification::growing_grids_test
 {
 namespace
 {
@@ -142,4 +142,4 @@ TEST(GrowingGrids, DownToASoftCore)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::growing_grids_test

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Hardening laws in the tugging of two spheres. That each law follows its curve is in tests/unit/constitutive.
-namespace brinell::verification
+namespace brinell::verification::hardening_test
 {
 namespace
 {
@@ -206,4 +206,4 @@ TEST(KinematicHardening, OneOfTwoMirrorImages)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::hardening_test

@@ -14,7 +14,7 @@
 #include <vector>
 
 /// How heat passes from one surface to the other, and the regimes in which it makes them warm.
-namespace brinell::verification
+namespace brinell::verification::heat_contact_test
 {
 namespace
 {
@@ -231,4 +231,4 @@ TEST(HeatContact, ASlidingCylinderAgainstMovingLines)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::heat_contact_test

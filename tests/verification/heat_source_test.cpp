@@ -16,7 +16,7 @@
 #include <vector>
 
 /// Heat that is supplied from outside: on a disc or a rectangle of one surface, or between the surfaces.
-namespace brinell::verification
+namespace brinell::verification::heat_source_test
 {
 namespace
 {
@@ -206,4 +206,4 @@ TEST(HeatSource, OnOneOfTwoBodies)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::heat_source_test

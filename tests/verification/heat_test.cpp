@@ -15,7 +15,7 @@
 #include <vector>
 
 /// The heat of friction between bodies that slide: where it goes, and what it does to them.
-namespace brinell::verification
+namespace brinell::verification::heat_test
 {
 namespace
 {
@@ -386,4 +386,4 @@ TEST(Heat, ARunThatIsToStopAtMeltingStopsBeforeThatStep)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::heat_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::verification
+namespace brinell::verification::indentation_test
 {
 namespace
 {
@@ -341,4 +341,4 @@ TEST(Indentation, UnitsDoNotMatter)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::indentation_test

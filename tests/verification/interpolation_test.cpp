@@ -10,7 +10,7 @@
 
 /// Shifts that are no whole number of cells: the plastic strain stays where it is, on each body's own grid, and the
 /// surfaces are interpolated between its columns. What does that cost?
-namespace brinell::verification
+namespace brinell::verification::interpolation_test
 {
 namespace
 {
@@ -79,4 +79,4 @@ TEST(InterpolatedShift, StaysBelowTheErrorOfTheMesh)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::interpolation_test

@@ -10,7 +10,7 @@
 #include <omp.h>
 
 /// What a result must not depend on.
-namespace brinell::verification
+namespace brinell::verification::invariance_test
 {
 namespace
 {
@@ -148,4 +148,4 @@ TEST(Invariance, ToleranceOfTheIteration)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::invariance_test

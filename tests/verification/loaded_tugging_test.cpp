@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The upper sphere rides over the lower one under a constant normal force instead of at a constant height.
-namespace brinell::verification
+namespace brinell::verification::loaded_tugging_test
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(LoadedTugging, EnergyBalances)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::loaded_tugging_test

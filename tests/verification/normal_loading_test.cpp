@@ -17,7 +17,7 @@
 
 /// Two equal elastic-perfectly plastic spheres pressed together, displacement-driven. By symmetry each is a sphere on a
 /// rigid flat, with the same ratios to first yield.
-namespace brinell::verification
+namespace brinell::verification::normal_loading_test
 {
 namespace
 {
@@ -245,4 +245,4 @@ TEST(NormalLoading, WorkOfACycleIsDissipationPlusLockedInEnergy)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::normal_loading_test

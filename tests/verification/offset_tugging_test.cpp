@@ -8,7 +8,7 @@
 #include <string>
 
 /// Two bodies that pass beside each other, against what is known of their centres in space.
-namespace brinell::verification
+namespace brinell::verification::offset_tugging_test
 {
 namespace
 {
@@ -199,4 +199,4 @@ TEST(OffsetTugging, RefusesBodiesThatNeverTouch)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::offset_tugging_test

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What Boucly, Nelias & Green (2006, Part II) say of two elastic-perfectly plastic spheres, at their mesh.
-namespace brinell::verification
+namespace brinell::verification::paper_tugging_test
 {
 namespace
 {
@@ -226,4 +226,4 @@ TEST(PaperTugging, BothKinematicsGiveTheSameForces)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::paper_tugging_test

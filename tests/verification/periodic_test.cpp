@@ -14,7 +14,7 @@
 #include <vector>
 
 /// Bodies without ends: plane strain, and periodic surfaces.
-namespace brinell::verification
+namespace brinell::verification::periodic_test
 {
 namespace
 {
@@ -404,4 +404,4 @@ TEST(PeriodicSurfaces, ShortcutsChangeNothing)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::periodic_test

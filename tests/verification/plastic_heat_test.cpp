@@ -10,7 +10,7 @@
 #include <vector>
 
 /// The heat of plastic work.
-namespace brinell::verification
+namespace brinell::verification::plastic_heat_test
 {
 namespace
 {
@@ -116,4 +116,4 @@ TEST(PlasticHeat, ConvergesWithTheStep)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::plastic_heat_test

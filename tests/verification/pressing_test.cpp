@@ -18,7 +18,7 @@
 
 /// Bodies of unlike materials that are pressed together with friction: their surfaces are stretched by the pressure, one more
 /// than the other, and slip at the rim of the contact.
-namespace brinell::verification
+namespace brinell::verification::pressing_test
 {
 namespace
 {
@@ -164,4 +164,4 @@ TEST(Spence, StickOfABallPressedOnAFlat)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::pressing_test

@@ -18,7 +18,7 @@
 /// Nothing may depend on luck: random but possible pairs of bodies. Every run ends with a converged result on grids that have
 /// grown as far as they had to; it balances its energy, keeps the yield condition in every cell that is looked at, and one in
 /// twenty is compared with a run on cells half as large.
-namespace brinell::verification
+namespace brinell::verification::random_cases_test
 {
 namespace
 {
@@ -242,4 +242,4 @@ TEST(RandomCases, RollingConvergesAndBalances)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::random_cases_test

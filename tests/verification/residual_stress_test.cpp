@@ -15,7 +15,7 @@
 #include <vector>
 
 /// The stress that a pass leaves behind is in equilibrium with nothing: no force over any plane, none on the surface.
-namespace brinell::verification
+namespace brinell::verification::residual_stress_test
 {
 namespace
 {
@@ -250,4 +250,4 @@ TEST(ResidualStress, AWidePatchOfUniformStrainIsAHeldLayer)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::residual_stress_test

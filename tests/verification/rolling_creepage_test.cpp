@@ -15,7 +15,7 @@
 #include <vector>
 
 /// The scenario rolling with creepage: closed forms and tables of elastic bodies, full sliding, balance of energy with plasticity.
-namespace brinell::verification
+namespace brinell::verification::rolling_creepage_test
 {
 namespace
 {
@@ -366,4 +366,4 @@ TEST(RollingCreepage, ThreadsChangeNothing)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::rolling_creepage_test

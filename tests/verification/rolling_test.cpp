@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::verification
+namespace brinell::verification::rolling_test
 {
 namespace
 {
@@ -356,4 +356,4 @@ TEST(Rolling, LongRollerIsPlaneStrain)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::rolling_test

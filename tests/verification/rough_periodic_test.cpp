@@ -16,7 +16,7 @@
 
 /// Nominally flat surfaces that go on without end: real contact area, mean gap and stiffness over the mean pressure, against
 /// closed forms for waves, and for rough surfaces against the bounds that theory gives.
-namespace brinell::verification
+namespace brinell::verification::rough_periodic_test
 {
 namespace
 {
@@ -339,4 +339,4 @@ TEST(RoughInAPeriod, DoesNotDependOnTheUnitOfLength)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::rough_periodic_test

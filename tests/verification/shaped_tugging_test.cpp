@@ -11,7 +11,7 @@
 #include <utility>
 
 /// Tugging of bodies that are no spheres, and of surfaces with something on them.
-namespace brinell::verification
+namespace brinell::verification::shaped_tugging_test
 {
 namespace
 {
@@ -299,4 +299,4 @@ TEST(ShapedTugging, EllipsoidsBalanceTheirEnergy)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::shaped_tugging_test

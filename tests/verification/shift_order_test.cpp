@@ -10,7 +10,7 @@
 
 /// Error of the step by which the contact is shifted, apart from that of the mesh: one mesh, shifts of 4, 2, 1 and 1/2
 /// cells along x.
-namespace brinell::verification
+namespace brinell::verification::shift_order_test
 {
 namespace
 {
@@ -95,4 +95,4 @@ TEST(ShiftStep, PathIsSecondOrderAndBackwardEulerFirst)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::shift_order_test

@@ -10,7 +10,7 @@
 
 /// Short cuts within an increment (layers and cells left out until it is nearly solved) must not change what comes out: the
 /// same runs with every layer and every cell in every evaluation, over loads, meshes, steps, laws and profiles.
-namespace brinell::verification
+namespace brinell::verification::shortcuts_test
 {
 namespace
 {
@@ -339,4 +339,4 @@ TEST(ShortCuts, Heat)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::shortcuts_test

@@ -14,7 +14,7 @@
 #include <vector>
 
 /// The heat of friction between bodies that slide past each other, with and without ends.
-namespace brinell::verification
+namespace brinell::verification::sliding_heat_test
 {
 namespace
 {
@@ -237,4 +237,4 @@ TEST(SlidingHeat, OfABallIsThatOfRollingWithoutTurning)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::sliding_heat_test

@@ -16,7 +16,7 @@
 #include <vector>
 
 /// Rough bodies without ends that slide past each other.
-namespace brinell::verification
+namespace brinell::verification::sliding_test
 {
 namespace
 {
@@ -228,4 +228,4 @@ TEST(Sliding, ConvergesWithTheStep)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::sliding_test

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Where the stress of a sliding Hertz contact is largest.
-namespace brinell::verification
+namespace brinell::verification::sliding_yield_test
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(Friction, SurfaceYieldsAsInHamilton)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::sliding_yield_test

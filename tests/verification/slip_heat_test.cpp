@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Heat of friction on surfaces that are strained: their slip is not that of the undeformed ones everywhere.
-namespace brinell::verification
+namespace brinell::verification::slip_heat_test
 {
 namespace
 {
@@ -124,4 +124,4 @@ TEST(SlipHeat, PartedSurfacesExchangeNothingOnTheWayBack)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::slip_heat_test

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// The steady regime: bodies that swell, yield and soften under a source that has always moved as it does.
-namespace brinell::verification
+namespace brinell::verification::steady_heat_test
 {
 namespace
 {
@@ -206,4 +206,4 @@ TEST(SteadyHeat, Energy)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::steady_heat_test

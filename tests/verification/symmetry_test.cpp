@@ -12,7 +12,7 @@
 
 /// Solving one side of the plane y = 0 must not change what comes out: the same runs with both sides solved, over
 /// scenarios, shapes, laws, numbers of rows and friction.
-namespace brinell::verification
+namespace brinell::verification::symmetry_test
 {
 namespace
 {
@@ -287,4 +287,4 @@ TEST(Symmetry, PeriodicSliding)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::symmetry_test

@@ -15,7 +15,7 @@
 #include <vector>
 
 /// Stick and slip of elastic bodies.
-namespace brinell::verification
+namespace brinell::verification::tangential_contact_test
 {
 namespace
 {
@@ -342,4 +342,4 @@ TEST(Coupling, StripThatSticksHasThePressureOfTheClosedForm)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::tangential_contact_test

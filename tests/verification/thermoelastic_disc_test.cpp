@@ -14,7 +14,7 @@
 #include <vector>
 
 /// A half space that is heated on a disc: its bulge and its stress (Barber 1971).
-namespace brinell::verification
+namespace brinell::verification::thermoelastic_disc_test
 {
 namespace
 {
@@ -169,4 +169,4 @@ TEST(ThermoelasticDisc, Transient)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::thermoelastic_disc_test

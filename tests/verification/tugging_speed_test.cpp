@@ -10,7 +10,7 @@
 #include <string>
 
 /// What the speed changes in a pass of two asperities that heat each other by friction.
-namespace brinell::verification
+namespace brinell::verification::tugging_speed_test
 {
 namespace
 {
@@ -87,4 +87,4 @@ TEST(TuggingSpeed, ItsLimitIsFrictionAlone)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::tugging_speed_test

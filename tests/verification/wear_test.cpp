@@ -15,7 +15,7 @@
 #include <vector>
 
 /// Wear of elastic bodies against closed forms.
-namespace brinell::verification
+namespace brinell::verification::wear_test
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(Wear, ConvergesByTheFirstOrderOfTheStep)
 }
 
 } // namespace
-} // namespace brinell::verification
+} // namespace brinell::verification::wear_test

@@ -121,8 +121,8 @@ namespace
 constexpr std::size_t most_inline = 1000; ///< largest number of heights on a line of text; longer maps become files
 
 /// The lines of a case file, except those replaced by lines in `replaced`.
-std::string text_of(const CaseValues& values,
-                    const std::function<std::optional<std::string>(std::string_view, const Value&)>& replaced)
+std::string text_with(const CaseValues& values,
+                      const std::function<std::optional<std::string>(std::string_view, const Value&)>& replaced)
 {
   std::string text;
   std::string table;
@@ -153,30 +153,30 @@ bool is_resolved_map(const std::filesystem::path& file)
 
 std::string resolved_text(const CaseValues& values)
 {
-  return text_of(values, [](std::string_view, const Value&) { return std::nullopt; });
+  return text_with(values, [](std::string_view, const Value&) { return std::nullopt; });
 }
 
 ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem)
 {
   ResolvedFiles result;
-  result.text = text_of(values,
-                        [&](std::string_view key, const Value& value) -> std::optional<std::string>
-                        {
-                          const std::string table(key.substr(0, key.rfind('.') + 1));
-                          const bool is_columns = key == table + "columns";
-                          if (!is_columns && key != table + "heights")
-                            return std::nullopt;
-                          const auto& heights = values.get<std::vector<double>>(table + "heights");
-                          if (heights.size() <= most_inline)
-                            return std::nullopt;
-                          if (is_columns) // the binary file contains the number of columns
-                            return "";
-                          const auto columns = static_cast<std::size_t>(values.get<std::int64_t>(table + "columns"));
-                          const std::string sum = checksum(npy_content(heights, columns));
-                          result.maps.push_back({fmt::format("{}-heights-{}.npy", stem, sum),
-                                                 &std::get<std::vector<double>>(value), columns});
-                          return fmt::format("file = {}\n", toml_string(result.maps.back().name));
-                        });
+  result.text = text_with(values,
+                          [&](std::string_view key, const Value& value) -> std::optional<std::string>
+                          {
+                            const std::string table(key.substr(0, key.rfind('.') + 1));
+                            const bool is_columns = key == table + "columns";
+                            if (!is_columns && key != table + "heights")
+                              return std::nullopt;
+                            const auto& heights = values.get<std::vector<double>>(table + "heights");
+                            if (heights.size() <= most_inline)
+                              return std::nullopt;
+                            if (is_columns) // the binary file contains the number of columns
+                              return "";
+                            const auto columns = static_cast<std::size_t>(values.get<std::int64_t>(table + "columns"));
+                            const std::string sum = checksum(npy_content(heights, columns));
+                            result.maps.push_back({fmt::format("{}-heights-{}.npy", stem, sum),
+                                                   &std::get<std::vector<double>>(value), columns});
+                            return fmt::format("file = {}\n", toml_string(result.maps.back().name));
+                          });
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include "brinell/io/units.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/nan.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <regex>
@@ -144,14 +144,14 @@ std::string units_like(std::string_view symbol)
 }
 
 /// A decimal number, split so that the power of a unit can be added to its exponent.
-struct Number
+struct Decimal
 {
   std::string mantissa;
   int exponent = 0;
 };
 
 /// Removes the longest number from the beginning of a text, and returns it.
-std::optional<Number> take_number(std::string_view& text)
+std::optional<Decimal> take_number(std::string_view& text)
 {
   const bool has_plus = text.starts_with('+');
   const char *first = text.data() + (has_plus ? 1 : 0), *last = text.data() + text.size();
@@ -161,7 +161,7 @@ std::optional<Number> take_number(std::string_view& text)
   if (digits.empty() || digits.find_first_not_of("-+.0123456789eE") != digits.npos || (has_plus && *first == '-'))
     return std::nullopt; // also inf and nan
   const auto e = digits.find_first_of("eE");
-  Number number{std::string(digits.substr(0, e))};
+  Decimal number{std::string(digits.substr(0, e))};
   if (e != digits.npos)
     if (const char* power = first + e + (first[e + 1] == '+' ? 2 : 1);
         std::from_chars(power, end, number.exponent).ec != std::errc{} || std::abs(number.exponent) > 9999)
@@ -227,7 +227,7 @@ std::pair<double, std::string_view> number_and_unit(std::string_view text)
   text = trimmed(text);
   std::string_view unit = text;
   if (!take_number(unit))
-    return {std::numeric_limits<double>::quiet_NaN(), ""};
+    return {nan, ""};
   return {quantity(text.substr(0, text.size() - unit.size())).value, trimmed(unit)};
 }
 

@@ -2,13 +2,13 @@
 #include "brinell/io/summary_json.hpp"
 
 #include "brinell/io/versions.hpp"
+#include "foundation/nan.hpp"
 #include "io/case/value_text.hpp"
 #include "io/scenarios/scenario_io.hpp"
 #include "summary_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace brinell::io
 {
@@ -43,7 +43,7 @@ Json critical_json(const Case& c)
   return json;
 }
 
-Json cells(const VolumeGrid& grid)
+Json cell_counts(const VolumeGrid& grid)
 {
   return Json::array({grid.surface.nx, grid.surface.ny, grid.nz});
 }
@@ -60,8 +60,8 @@ Json grid_json(const RunTotals& s)
                        {"after", change.after}});
   return {{"spacing_m", Json::array({end.contact.dx, end.contact.dy, end.lower.grid.dz})},
           {"contact_cells", Json::array({end.contact.nx, end.contact.ny})},
-          {"lower_cells", cells(end.lower.grid)},
-          {"upper_cells", cells(end.upper.grid)},
+          {"lower_cells", cell_counts(end.lower.grid)},
+          {"upper_cells", cell_counts(end.upper.grid)},
           {"symmetric_in_y", s.symmetry == Symmetry::in_y},
           {"memory_bytes", s.memory_bytes},
           {"changes", std::move(changes)}};
@@ -239,7 +239,6 @@ std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo
 
 reference::CriticalValues scale_of(const Case& c)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(); // null in JSON
   constexpr reference::CriticalValues no_scale{.C = nan,
                                                .interference = nan,
                                                .load = nan,

@@ -14,26 +14,26 @@ namespace brinell::io
 namespace
 {
 
-using Shape = std::vector<hsize_t>;
+using Counts = std::vector<hsize_t>;
 using Body = BodyLayout StateLayout::*;
 
 /// Components of a symmetric tensor in the order of VTK.
-constexpr std::array components{"xx", "yy", "zz", "xy", "yz", "xz"};
+constexpr std::array vtk_components{"xx", "yy", "zz", "xy", "yz", "xz"};
 
 /// Number of cells, slowest index first.
-Shape cells(const VolumeGrid& grid)
+Counts counts(const VolumeGrid& grid)
 {
   return {static_cast<hsize_t>(grid.nz), static_cast<hsize_t>(grid.surface.ny), static_cast<hsize_t>(grid.surface.nx)};
 }
 
-Shape cells(const SurfaceGrid& grid)
+Counts counts(const SurfaceGrid& grid)
 {
   return {static_cast<hsize_t>(grid.ny), static_cast<hsize_t>(grid.nx)};
 }
 
-h5::Box whole(const Shape& shape)
+h5::Box whole(const Counts& shape)
 {
-  return {Shape(shape.size(), 0), shape};
+  return {Counts(shape.size(), 0), shape};
 }
 
 /// Number of rows and columns of the grid of `all` before the first row and column of the grid of `state`, which lies within it.
@@ -45,7 +45,7 @@ std::array<hsize_t, 2> offset(const BodyLayout& all, const BodyLayout& state)
 }
 
 /// The box that the cells of a state occupy in the grid of `all`: a plane, or a volume; layer 0 is at the surface in both grids.
-h5::Box place_of(const Shape& shape, const BodyLayout& all, const BodyLayout& state)
+h5::Box place_of(const Counts& shape, const BodyLayout& all, const BodyLayout& state)
 {
   h5::Box box = whole(shape);
   const auto [row, column] = offset(all, state);
@@ -85,14 +85,14 @@ public:
   /// Function that returns the parts of an array for one state; they refer to datasets in its group.
   using Parts = std::function<std::vector<h5::VirtualPart>(const StateLayout&)>;
 
-  void add(const char* name, const Shape& shape, double fill, const Parts& parts_of)
+  void add(const char* name, const Counts& shape, double fill, const Parts& parts_of)
   {
     std::vector<h5::VirtualPart> parts;
     for (std::size_t step = 0; step < states_.size(); ++step)
       for (h5::VirtualPart& part : parts_of(states_[step].layout))
         parts.push_back({at(part.target, step), states_[step].file, states_[step].group + "/" + part.dataset,
                          std::move(part.shape), std::move(part.source)});
-    Shape all = shape;
+    Counts all = shape;
     if (states_.size() > 1)
       all.insert(all.begin(), states_.size());
     h5::write_virtual_dataset(*data_, name, all, fill, parts);
@@ -109,23 +109,23 @@ public:
   void add_field(const char* name, Kind kind, Body body, double beyond)
   {
     const BodyLayout& all = states_.back().layout.*body;
-    const std::size_t count = kind == Kind::tensor ? components.size() : 1;
+    const std::size_t count = kind == Kind::tensor ? vtk_components.size() : 1;
     const auto shape_of = [&](const BodyLayout& b)
-    { return kind == Kind::of_surface ? cells(b.grid.surface) : cells(b.grid); };
+    { return kind == Kind::of_surface ? counts(b.grid.surface) : counts(b.grid); };
     const auto parts_of = [&](const StateLayout& layout)
     {
-      const Shape shape = shape_of(layout.*body);
+      const Counts shape = shape_of(layout.*body);
       std::vector<h5::VirtualPart> parts(
           count, {place_of(shape, all, layout.*body), "", fmt::format("{}/{}", body_, name), shape, whole(shape)});
       for (hsize_t c = 0; count > 1 && c < count; ++c)
       {
-        parts[c].dataset += fmt::format("/{}", components[c]);
+        parts[c].dataset += fmt::format("/{}", vtk_components[c]);
         parts[c].target.start.push_back(c);
         parts[c].target.count.push_back(1);
       }
       return parts;
     };
-    Shape shape = shape_of(all);
+    Counts shape = shape_of(all);
     if (count > 1)
       shape.push_back(count);
     add(name, shape, beyond, parts_of);
@@ -205,7 +205,7 @@ std::vector<h5::VirtualPart> contact_part(const char* name, const StateLayout& l
   const auto [row, column] = offset(all, layout.lower);
   target.start[0] += row;
   target.start[1] += column;
-  const Shape shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
+  const Counts shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
   return {{target, "", fmt::format("contact/{}", name), shape, box(c.row, c.column)}};
 }
 
@@ -222,7 +222,7 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
     contact->fields.for_each(
         [&](const SurfaceField& field)
         {
-          block.add(field.name, cells(s), field.elsewhere,
+          block.add(field.name, counts(s), field.elsewhere,
                     [&](const StateLayout& layout) { return contact_part(field.name, layout, body); });
         });
 }

@@ -18,14 +18,14 @@ using simulation::FrettingPlan;
 using simulation::FrettingRecord;
 using simulation::FrettingSummary;
 
-constexpr const char *press_group = "fretting press", *motion_group = "fretting motion";
+constexpr const char *fretting_press = "fretting press", *fretting_motion = "fretting motion";
 
-std::vector<Entry> keys()
+std::vector<Entry> fretting_keys()
 {
   const auto press = [](const char* key, const char* other, const ValueKind& of, Drive::Kind kind, const char* text)
   {
     Entry entry =
-        drive_key(std::string("fretting.") + key, of.above(0.0), text, press_group, &FrettingCase::press, kind);
+        drive_key(std::string("fretting.") + key, of.above(0.0), text, fretting_press, &FrettingCase::press, kind);
     entry.unset = entry.excludes = std::string("fretting.") + other;
     return entry;
   };
@@ -37,7 +37,7 @@ std::vector<Entry> keys()
                  .unset = std::string("fretting.") + other,
                  .text = text,
                  .excludes = std::string("fretting.") + other,
-                 .one_of = motion_group,
+                 .one_of = fretting_motion,
                  .fill = [kind](Case& c, const Value& value)
                  {
                    auto& fretting = std::get<FrettingCase>(c.scenario);
@@ -84,8 +84,8 @@ std::vector<Entry> keys()
 
 std::string read(const CaseReader& reader, Case& /*c*/, FrettingCase& /*f*/)
 {
-  static_cast<void>(reader.only_one_of(press_group));
-  return reader.only_one_of(motion_group);
+  static_cast<void>(reader.only_one_of(fretting_press));
+  return reader.only_one_of(fretting_motion);
 }
 
 std::string amplitude_text(const FrettingCase& f)
@@ -158,7 +158,7 @@ ScenarioIo<FrettingCase> description()
       .name = "fretting",
       .text = "it is pressed on and oscillates along the surface with so small an amplitude that the surfaces stick in "
               "places",
-      .keys = keys,
+      .keys = fretting_keys,
       .read = read,
       .half_x = &FrettingPlan::contact_radius,
       .half_y = &FrettingPlan::contact_radius_y,

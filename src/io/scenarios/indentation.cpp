@@ -17,7 +17,7 @@ using simulation::IndentationPlan;
 using simulation::IndentationRecord;
 using simulation::IndentationSummary;
 
-constexpr const char* drive_group = "indentation drive";
+constexpr const char* indentation_drive = "indentation drive";
 
 /// A key with a list of numbers, which is the sequence of the drive.
 /// @param other  the key that may be given instead; both may be normalised. Empty for a mean over a period
@@ -29,7 +29,7 @@ Entry drive(const std::string& key, const ValueKind& of, Drive::Kind kind, const
           .unset = other.empty() ? "indentation.load or indentation.approach" : table + other,
           .text = text,
           .excludes = other.empty() ? "" : table + other,
-          .one_of = drive_group,
+          .one_of = indentation_drive,
           .pure_if = other.empty() ? "" : "indentation.normalised",
           .fill = [kind](Case& c, const Value& value)
           {
@@ -38,7 +38,7 @@ Entry drive(const std::string& key, const ValueKind& of, Drive::Kind kind, const
           }};
 }
 
-std::vector<Entry> keys()
+std::vector<Entry> indentation_keys()
 {
   return {
       {.key = "indentation.normalised",
@@ -101,8 +101,8 @@ std::optional<double> unit_of_drive(const CaseReader& reader, const Case& c, con
 
 std::string read(const CaseReader& reader, Case& c, IndentationCase& i)
 {
-  std::string key =
-      reader.only_one_of(drive_group, ", as a list: [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
+  std::string key = reader.only_one_of(indentation_drive,
+                                       ", as a list: [\"10 N\", 0], [\"2 um\", 0], [\"50 MPa\", 0] or [\"0.1 um\"]");
   const auto unit = key.empty() ? std::nullopt : unit_of_drive(reader, c, i, key);
   if (!unit)
     return key;
@@ -184,7 +184,7 @@ ScenarioIo<IndentationCase> description()
   return {
       .name = "indentation",
       .text = "the upper body is pressed into the lower one",
-      .keys = keys,
+      .keys = indentation_keys,
       .read = read,
       .half_x = &IndentationPlan::contact_radius,
       .half_y = &IndentationPlan::contact_radius_y,

@@ -54,12 +54,12 @@ std::vector<Entry> creep_keys()
   };
 }
 
-constexpr const char* drive_group = "rolling drive";
+constexpr const char* rolling_drive = "rolling drive";
 
 std::vector<Entry> motion_keys()
 {
   const auto drive = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
-  { return drive_key(std::string("rolling.") + key, of.above(0.0), text, drive_group, &RollingCase::drive, kind); };
+  { return drive_key(std::string("rolling.") + key, of.above(0.0), text, rolling_drive, &RollingCase::drive, kind); };
   return {
       drive("load", kind::force, Drive::Kind::load, "Load kept while rolling."),
       drive("hertz_pressure", kind::pressure, Drive::Kind::load,
@@ -100,7 +100,7 @@ std::vector<Entry> motion_keys()
   };
 }
 
-std::vector<Entry> keys()
+std::vector<Entry> rolling_keys()
 {
   std::vector<Entry> all = motion_keys();
   const std::vector<Entry> creep = creep_keys();
@@ -129,7 +129,7 @@ double load_of_hertz_pressure(const CaseReader& reader, Case& c, const RollingCa
 
 std::string read(const CaseReader& reader, Case& c, RollingCase& r)
 {
-  if (reader.only_one_of(drive_group) == "rolling.hertz_pressure")
+  if (reader.only_one_of(rolling_drive) == "rolling.hertz_pressure")
     r.drive.value = load_of_hertz_pressure(reader, c, r);
   if (reader.has("rolling.creepage") && reader.get<std::vector<double>>("rolling.creepage").size() > 2)
     reader.add("rolling.creepage", "has more than two numbers; allowed: [longitudinal, lateral], or the first of them");
@@ -236,7 +236,7 @@ ScenarioIo<RollingCase> description()
   return {
       .name = "rolling",
       .text = "it rolls over it along x under load",
-      .keys = keys,
+      .keys = rolling_keys,
       .read = read,
       .half_x = &RollingPlan::half_width_x,
       .half_y = &RollingPlan::half_width_y,

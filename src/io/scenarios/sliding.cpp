@@ -17,12 +17,12 @@ using simulation::SlidingRecord;
 using simulation::SlidingStroke;
 using simulation::SlidingSummary;
 
-constexpr const char* press_group = "sliding drive";
+constexpr const char* sliding_drive = "sliding drive";
 
-std::vector<Entry> keys()
+std::vector<Entry> sliding_keys()
 {
   const auto press = [](const char* key, const ValueKind& of, Drive::Kind kind, const char* text)
-  { return drive_key(std::string("sliding.") + key, of, text, press_group, &SlidingCase::press, kind); };
+  { return drive_key(std::string("sliding.") + key, of, text, sliding_drive, &SlidingCase::press, kind); };
   return {
       press("load", kind::force.above(0.0), Drive::Kind::load, "Load that is applied first and kept while sliding."),
       press("pressure", kind::pressure.above(0.0), Drive::Kind::load,
@@ -65,7 +65,7 @@ std::vector<Entry> keys()
 
 std::string read(const CaseReader& reader, Case& /*c*/, SlidingCase& s)
 {
-  std::string key = reader.only_one_of(press_group);
+  std::string key = reader.only_one_of(sliding_drive);
   if (key != "sliding.pressure" && key != "sliding.mean_gap")
     return key;
   if (!s.domain.is_periodic())
@@ -142,7 +142,7 @@ ScenarioIo<SlidingCase> description()
   return {
       .name = "sliding",
       .text = "it is pressed on and slides over it along x, in one stroke, in several, or to and fro",
-      .keys = keys,
+      .keys = sliding_keys,
       .read = read,
       .half_x = &SlidingPlan::half_width_x,
       .half_y = &SlidingPlan::half_width_y,

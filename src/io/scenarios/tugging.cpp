@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "description.hpp"
-
-#include <limits>
+#include "foundation/nan.hpp"
 
 /// Keys, texts and results of the scenario tugging.
 namespace brinell::io
@@ -15,9 +14,7 @@ using simulation::TuggingPlan;
 using simulation::TuggingRecord;
 using simulation::TuggingSummary;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(); // null in JSON
-
-std::vector<Entry> keys()
+std::vector<Entry> tugging_keys()
 {
   return {
       {.key = "tugging.normalised",
@@ -263,7 +260,7 @@ ScenarioIo<TuggingCase> description()
   return {
       .name = "tugging",
       .text = "the upper body is carried along x past the lower one at constant height or under a load",
-      .keys = keys,
+      .keys = tugging_keys,
       .read = read,
       .half_x = &TuggingPlan::elastic_contact_radius,
       .half_y = &TuggingPlan::elastic_contact_radius_y,

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace brinell::constitutive
+namespace brinell::constitutive::depth_profile_test
 {
 namespace
 {
@@ -35,4 +35,4 @@ TEST(DepthProfileTest, RefusesWhatIsNone)
 }
 
 } // namespace
-} // namespace brinell::constitutive
+} // namespace brinell::constitutive::depth_profile_test

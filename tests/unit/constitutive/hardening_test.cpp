@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::constitutive
+namespace brinell::constitutive::hardening_test
 {
 namespace
 {
@@ -134,4 +134,4 @@ TEST(MaterialTest, IsPlasticIfItHardens)
 }
 
 } // namespace
-} // namespace brinell::constitutive
+} // namespace brinell::constitutive::hardening_test

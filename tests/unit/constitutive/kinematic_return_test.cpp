@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::constitutive
+namespace brinell::constitutive::kinematic_return_test
 {
 namespace
 {
@@ -217,4 +217,4 @@ TEST(KinematicReturnTest, TurningPathIsSecondOrderAndBackwardEulerFirst)
 }
 
 } // namespace
-} // namespace brinell::constitutive
+} // namespace brinell::constitutive::kinematic_return_test

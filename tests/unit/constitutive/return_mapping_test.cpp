@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::constitutive
+namespace brinell::constitutive::return_mapping_test
 {
 namespace
 {
@@ -310,4 +310,4 @@ TEST(ReturnMappingTest, PointsInLanesFlowAsEachByItself)
 }
 
 } // namespace
-} // namespace brinell::constitutive
+} // namespace brinell::constitutive::return_mapping_test

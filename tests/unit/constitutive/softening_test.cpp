@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace brinell::constitutive
+namespace brinell::constitutive::softening_test
 {
 namespace
 {
@@ -110,4 +110,4 @@ TEST(Softening, AStressThatIsHeldFlowsAsTheYieldStressFalls)
 }
 
 } // namespace
-} // namespace brinell::constitutive
+} // namespace brinell::constitutive::softening_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace brinell::contact
+namespace brinell::contact::coarser_contact_test
 {
 namespace
 {
@@ -89,4 +89,4 @@ TEST(CoarserContactTest, SurfacesThatDoNotTouchStayApart)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::coarser_contact_test

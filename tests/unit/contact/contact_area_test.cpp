@@ -14,7 +14,7 @@
 #include <random>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::contact_area_test
 {
 namespace
 {
@@ -265,4 +265,4 @@ TEST(ContactArea, NoPressureIsNoContact)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::contact_area_test

@@ -15,7 +15,7 @@
 #include <omp.h>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::contact_iteration_test
 {
 namespace
 {
@@ -226,4 +226,4 @@ TEST(ThreadsTest, DoNotChangeADigit)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::contact_iteration_test

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::contact_layer_test
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST(ContactLayer, GivesWayWhileAMeanGapIsKept)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::contact_layer_test

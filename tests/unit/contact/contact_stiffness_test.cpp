@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::contact_stiffness_test
 {
 namespace
 {
@@ -174,4 +174,4 @@ TEST(MeanGap, IsRefusedIfNegativeOrWithoutAPeriod)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::contact_stiffness_test

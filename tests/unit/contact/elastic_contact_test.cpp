@@ -16,7 +16,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::elastic_contact_test
 {
 namespace
 {
@@ -197,4 +197,4 @@ TEST(ContactDoorTest, RefusesFieldsOfAnotherSize)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::elastic_contact_test

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Normal and tangential problem at once.
-namespace brinell::contact
+namespace brinell::contact::frictional_contact_test
 {
 namespace
 {
@@ -103,4 +103,4 @@ TEST(FrictionalContactTest, ABallIsPressedOnAnUnlikeFlatInAFewIterations)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::frictional_contact_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::load_driven_contact_test
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST(LoadDrivenTest, ANumberThatIsNoneIsNotAConvergedOne)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::load_driven_contact_test

@@ -14,7 +14,7 @@
 #include <random>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::patches_test
 {
 namespace
 {
@@ -153,4 +153,4 @@ TEST(Patches, CellsThatMeetAtACornerAreApart)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::patches_test

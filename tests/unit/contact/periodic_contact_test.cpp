@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::periodic_contact_test
 {
 namespace
 {
@@ -277,4 +277,4 @@ TEST(RoughPeriodicTest, UnitsDoNotMatter)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::periodic_contact_test

@@ -15,7 +15,7 @@
 #include <omp.h>
 #include <vector>
 
-namespace brinell::contact
+namespace brinell::contact::tangential_contact_test
 {
 namespace
 {
@@ -381,4 +381,4 @@ TEST(TangentialContactTest, WithoutABoundNothingIsCarried)
 }
 
 } // namespace
-} // namespace brinell::contact
+} // namespace brinell::contact::tangential_contact_test

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::anderson_test
 {
 namespace
 {
@@ -300,4 +300,4 @@ TEST(AndersonTest, WeightsStandForCopies)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::anderson_test

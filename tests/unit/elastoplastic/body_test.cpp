@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::body_test
 {
 namespace
 {
@@ -50,4 +50,4 @@ TEST(BodyTest, ACellThatJoinsBeginsOnItsYieldSurface)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::body_test

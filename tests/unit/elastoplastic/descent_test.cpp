@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::descent_test
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(DescentTest, GivesNoFalseAlarm)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::descent_test

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The heat of an increment, where the surfaces touch by turns.
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::heating_test
 {
 namespace
 {
@@ -67,4 +67,4 @@ TEST(Heating, ACellThatPartsByItsOwnHeatEndsAsTouching)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::heating_test

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::increment_test
 {
 namespace
 {
@@ -359,4 +359,4 @@ TEST(IncrementDoorTest, RefusesGridsThatDoNotMatchAndAContactBeyondTheBody)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::increment_test

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Surfaces between the columns of a material grid.
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::interpolation_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(InterpolationTest, PressureAtTheEdgeIsNoticed)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::interpolation_test

@@ -9,7 +9,7 @@
 #include <omp.h>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::invariance_test
 {
 namespace
 {
@@ -139,4 +139,4 @@ TEST(InvarianceTest, PlaceOnTheBodyDoesNotMatter)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::invariance_test

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::lane_cells_test
 {
 namespace
 {
@@ -79,4 +79,4 @@ TEST(LaneCellsTest, NeighboursOfALayerAreTogetherAndEachCellIsOnce)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::lane_cells_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::partial_slip_test
 {
 namespace
 {
@@ -296,4 +296,4 @@ TEST(PartialSlipTest, ForceAndShiftAreTheSameContact)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::partial_slip_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::plastic_zone_test
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST(PlasticZone, PartsOfItMeetEachCellOnce)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::plastic_zone_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::sliding_test
 {
 namespace
 {
@@ -290,4 +290,4 @@ TEST(SlidingTest, BodiesUnderShearAreNotAlike)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::sliding_test

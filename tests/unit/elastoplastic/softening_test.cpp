@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::softening_test
 {
 namespace
 {
@@ -221,4 +221,4 @@ TEST(SofteningTest, LargerGridsKeepIt)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::softening_test

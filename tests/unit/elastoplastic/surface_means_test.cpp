@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace brinell::elastoplastic
+namespace brinell::elastoplastic::surface_means_test
 {
 namespace
 {
@@ -76,4 +76,4 @@ TEST(SurfaceMeansTest, TakeAsMuchOneWayAsTheOther)
 }
 
 } // namespace
-} // namespace brinell::elastoplastic
+} // namespace brinell::elastoplastic::surface_means_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace brinell
+namespace brinell::archive_test
 {
 namespace
 {
@@ -158,4 +158,4 @@ TEST(ArchiveTest, ListsAreAsLongAsWhatIsStored)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::archive_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell
+namespace brinell::blocked_fft_test
 {
 namespace
 {
@@ -138,4 +138,4 @@ TEST(BlockedFftDoorTest, RefusesLengthsThatDoNotFit)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::blocked_fft_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell
+namespace brinell::deviator_test
 {
 namespace
 {
@@ -58,4 +58,4 @@ TEST(DeviatorTest, IsALinearSpace)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::deviator_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace brinell
+namespace brinell::faddeeva_test
 {
 namespace
 {
@@ -24,4 +24,4 @@ TEST(Faddeeva, OnTheAxesAndByItsTable)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::faddeeva_test

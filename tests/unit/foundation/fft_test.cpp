@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace brinell
+namespace brinell::fft_test
 {
 namespace
 {
@@ -188,4 +188,4 @@ TEST(FftPlanTest, OnePlanServesSeveralThreads)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::fft_test

@@ -8,7 +8,7 @@
 
 #include <omp.h>
 
-namespace brinell
+namespace brinell::grid_test
 {
 namespace
 {
@@ -57,4 +57,4 @@ TEST(SharingTest, SumsAreTheSameForAnyNumberOfThreads)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::grid_test

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace brinell
+namespace brinell::lane_fft_test
 {
 namespace
 {
@@ -125,4 +125,4 @@ TEST_P(LaneFftTest, LanesDoNotMeet)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::lane_fft_test

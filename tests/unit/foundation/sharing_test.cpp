@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace brinell
+namespace brinell::sharing_test
 {
 namespace
 {
@@ -51,4 +51,4 @@ TEST(SharingTest, SideBySidePassesTheFirstExceptionOnAfterBothAreDone)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::sharing_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell
+namespace brinell::sym_tensor_test
 {
 namespace
 {
@@ -33,4 +33,4 @@ TEST(SymTensorTest, VonMisesOfSimpleStates)
 }
 
 } // namespace
-} // namespace brinell
+} // namespace brinell::sym_tensor_test

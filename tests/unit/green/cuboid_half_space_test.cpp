@@ -14,7 +14,7 @@
 #include <limits>
 #include <numbers>
 
-namespace brinell::green
+namespace brinell::green::cuboid_half_space_test
 {
 namespace
 {
@@ -273,4 +273,4 @@ TEST(CuboidHalfSpaceTest, ResidualForcesBalanceOnEveryPlane)
 }
 
 } // namespace
-} // namespace brinell::green
+} // namespace brinell::green::cuboid_half_space_test

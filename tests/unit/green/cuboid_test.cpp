@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace brinell::green
+namespace brinell::green::cuboid_test
 {
 namespace
 {
@@ -237,4 +237,4 @@ TEST(CuboidTest, BallOfCuboidsTendsToEshelby)
 }
 
 } // namespace
-} // namespace brinell::green
+} // namespace brinell::green::cuboid_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace brinell::green
+namespace brinell::green::rectangle_test
 {
 namespace
 {
@@ -187,4 +187,4 @@ TEST(RectangleTest, FarFieldIsThePointLoad)
 }
 
 } // namespace
-} // namespace brinell::green
+} // namespace brinell::green::rectangle_test

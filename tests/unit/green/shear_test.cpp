@@ -14,7 +14,7 @@
 #include <limits>
 #include <numbers>
 
-namespace brinell::green
+namespace brinell::green::shear_test
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST(ShearedStripTest, IsALongRectangle)
 }
 
 } // namespace
-} // namespace brinell::green
+} // namespace brinell::green::shear_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace brinell::green
+namespace brinell::green::surface_terms_test
 {
 namespace
 {
@@ -126,4 +126,4 @@ TEST(SurfaceTermsTest, ConstantsOfAPair)
 }
 
 } // namespace
-} // namespace brinell::green
+} // namespace brinell::green::surface_terms_test

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// What holds of all operators on any pair of boundaries.
-namespace brinell::halfspace
+namespace brinell::halfspace::boundary_pair_test
 {
 namespace
 {
@@ -141,4 +141,4 @@ TEST_P(BoundaryPairTest, NothingChangesWhenAllMovesAroundThePeriod)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::boundary_pair_test

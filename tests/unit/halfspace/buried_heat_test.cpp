@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Heat that arises in the layers of a half space.
-namespace brinell::halfspace
+namespace brinell::halfspace::buried_heat_test
 {
 namespace
 {
@@ -380,4 +380,4 @@ TEST(BuriedHeat, ImagesOfThickerLayers)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::buried_heat_test

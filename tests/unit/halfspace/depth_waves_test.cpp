@@ -11,7 +11,7 @@
 #include <numbers>
 
 /// The waves in depth, of which all that heat does is a sum.
-namespace brinell::halfspace
+namespace brinell::halfspace::depth_waves_test
 {
 namespace
 {
@@ -85,4 +85,4 @@ TEST(DepthWaves, SumsHoldAtAnyDepth)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::depth_waves_test

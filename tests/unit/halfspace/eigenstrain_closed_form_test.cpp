@@ -15,7 +15,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::eigenstrain_closed_form_test
 {
 namespace
 {
@@ -160,4 +160,4 @@ INSTANTIATE_TEST_SUITE_P(Strains, EigenstrainClosedFormTest, testing::Range(0, D
                          [](const auto& p) { return test::deviator_names[static_cast<std::size_t>(p.param)]; });
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::eigenstrain_closed_form_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::eigenstrain_stress_test
 {
 namespace
 {
@@ -314,4 +314,4 @@ TEST(HalfSpaceDoorTest, RefusesFieldsOfAnotherSize)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::eigenstrain_stress_test

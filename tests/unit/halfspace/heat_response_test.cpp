@@ -14,7 +14,7 @@
 #include <vector>
 
 /// Temperature of a surface under a flux that is constant while it stands or moves.
-namespace brinell::halfspace
+namespace brinell::halfspace::heat_response_test
 {
 namespace
 {
@@ -314,4 +314,4 @@ TEST(HeatResponse, NoSteadyStateWhereHeatPilesUp)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::heat_response_test

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Sources of uniform flux: a disc that is switched on, at its rim; squares and discs that move.
-namespace brinell::halfspace
+namespace brinell::halfspace::heat_source_test
 {
 namespace
 {
@@ -162,4 +162,4 @@ TEST(HeatSource, MovingDiscAtAnySpeed)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::heat_source_test

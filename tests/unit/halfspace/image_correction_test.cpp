@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::image_correction_test
 {
 namespace
 {
@@ -150,4 +150,4 @@ TEST(LongGridTest, TrackMeetsTheSumOfCuboids)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::image_correction_test

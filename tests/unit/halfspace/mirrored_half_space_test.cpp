@@ -12,7 +12,7 @@
 #include <vector>
 
 /// An evaluation that is told of the symmetry in y against one that is not: docs/theory/half-space.md (symmetry).
-namespace brinell::halfspace
+namespace brinell::halfspace::mirrored_half_space_test
 {
 namespace
 {
@@ -135,4 +135,4 @@ TEST(MirroredHalfSpace, AsymmetricStrainIsNotTakenForItsHalf)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::mirrored_half_space_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::moment_coupling_test
 {
 namespace
 {
@@ -169,4 +169,4 @@ TEST_P(Coupling, OfWavesIsTheKernel)
 INSTANTIATE_TEST_SUITE_P(Depths, Coupling, testing::Values(5, 6, 7, 8, 9, 16));
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::moment_coupling_test

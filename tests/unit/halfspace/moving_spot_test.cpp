@@ -12,7 +12,7 @@
 #include <vector>
 
 /// A Gaussian spot of heat that has always moved, at any speed.
-namespace brinell::halfspace
+namespace brinell::halfspace::moving_spot_test
 {
 namespace
 {
@@ -126,4 +126,4 @@ TEST_P(MovingSpot, EquilibriumAndAFreeSurface)
 INSTANTIATE_TEST_SUITE_P(All, MovingSpot, testing::Values(1e-3, 0.1, -1.0, 10.0, 1000.0));
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::moving_spot_test

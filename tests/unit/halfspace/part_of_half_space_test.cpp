@@ -13,7 +13,7 @@
 #include <vector>
 
 /// The operators of some columns of a body against those of all of it.
-namespace brinell::halfspace
+namespace brinell::halfspace::part_of_half_space_test
 {
 namespace
 {
@@ -146,4 +146,4 @@ TEST(PartOfHalfSpace, AGuestComputesTheSameWhateverTheNumbersOfBlocksAndThreads)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::part_of_half_space_test

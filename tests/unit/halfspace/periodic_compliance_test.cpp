@@ -16,7 +16,7 @@
 #include <vector>
 
 /// Displacement under a pressure with one or both axes periodic.
-namespace brinell::halfspace
+namespace brinell::halfspace::periodic_compliance_test
 {
 namespace
 {
@@ -160,4 +160,4 @@ TEST(OnePeriodicAxisTest, WavesAlongItThatTheOtherDoesNotChangeAreThoseOfTheWhol
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::periodic_compliance_test

@@ -18,7 +18,7 @@
 #include <vector>
 
 /// Stress of pressure and plastic strain with one or both axes periodic.
-namespace brinell::halfspace
+namespace brinell::halfspace::periodic_half_space_test
 {
 namespace
 {
@@ -218,4 +218,4 @@ TEST_P(PeriodicStrainTest, WithOnePeriodicAxisIsTheMiddleOfARowOfCopies)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::periodic_half_space_test

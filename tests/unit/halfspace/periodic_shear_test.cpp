@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::periodic_shear_test
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(PeriodicShearTest, ObliqueWavesAreTurnedOnes)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::periodic_shear_test

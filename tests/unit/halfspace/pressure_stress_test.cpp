@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::pressure_stress_test
 {
 namespace
 {
@@ -145,4 +145,4 @@ TEST(HertzStressTest, MeetsHubersUnderAHertzPressure)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::pressure_stress_test

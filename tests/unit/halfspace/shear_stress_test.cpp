@@ -18,7 +18,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::shear_stress_test
 {
 namespace
 {
@@ -232,4 +232,4 @@ TEST(ShearDoorTest, DisplacementsThatWereNotPreparedAreRefused)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::shear_stress_test

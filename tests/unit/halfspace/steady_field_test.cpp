@@ -15,7 +15,7 @@
 #include <vector>
 
 /// A flux that has always moved over an elastic half space.
-namespace brinell::halfspace
+namespace brinell::halfspace::steady_field_test
 {
 namespace
 {
@@ -281,4 +281,4 @@ TEST(SteadyField, RefusesWhatThereIsNot)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::steady_field_test

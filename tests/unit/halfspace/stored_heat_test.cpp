@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Heat that was stored, or gone back to, goes on to the last digit as if nothing had happened.
-namespace brinell::halfspace
+namespace brinell::halfspace::stored_heat_test
 {
 namespace
 {
@@ -155,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(All, StoredHeat,
                                          Kept{{8, 6, 0.1, 0.1, periodic, periodic}, Symmetry::none, {2, 0.1}}));
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::stored_heat_test

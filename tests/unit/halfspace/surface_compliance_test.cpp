@@ -15,12 +15,12 @@
 #include <tuple>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::surface_compliance_test
 {
 namespace
 {
 
-std::vector<double> displacement(const SurfaceCompliance& compliance, const std::vector<double>& pressure)
+std::vector<double> displacement_under(const SurfaceCompliance& compliance, const std::vector<double>& pressure)
 {
   std::vector<double> u(pressure.size());
   SurfaceCompliance::Scratch scratch = compliance.make_scratch();
@@ -42,7 +42,7 @@ TEST_P(SurfaceComplianceTest, EqualsTheSumOverAllPairsOfCells)
 {
   const double modulus = 1.1e11;
   const std::vector<double> pressure = test::random_field(GetParam().size(), 1);
-  const std::vector<double> fast = displacement(SurfaceCompliance(GetParam(), modulus), pressure);
+  const std::vector<double> fast = displacement_under(SurfaceCompliance(GetParam(), modulus), pressure);
   const std::vector<double> slow = direct::pressure_to_displacement(GetParam(), pressure, 1.0 / modulus);
   double largest = 0.0;
   for (const double u : slow)
@@ -55,9 +55,10 @@ TEST_P(SurfaceComplianceTest, IsSymmetric)
 {
   const SurfaceCompliance compliance(GetParam(), 1.0);
   const std::vector<double> p = test::random_field(GetParam().size(), 2), q = test::random_field(GetParam().size(), 3);
-  const double a = test::dot(q, displacement(compliance, p)), b = test::dot(p, displacement(compliance, q));
+  const double a = test::dot(q, displacement_under(compliance, p)), b = test::dot(p, displacement_under(compliance, q));
   // Relative to the product of the norms: either sum may cancel.
-  const double scale = std::sqrt(test::dot(p, displacement(compliance, p)) * test::dot(q, displacement(compliance, q)));
+  const double scale =
+      std::sqrt(test::dot(p, displacement_under(compliance, p)) * test::dot(q, displacement_under(compliance, q)));
   EXPECT_NEAR(a, b, 1e-13 * scale);
 }
 
@@ -68,21 +69,21 @@ TEST_P(SurfaceComplianceTest, IsPositive)
   for (unsigned seed = 4; seed < 12; ++seed)
   {
     const std::vector<double> p = test::random_field(grid.size(), seed);
-    EXPECT_GT(test::dot(p, displacement(compliance, p)), 0.0);
+    EXPECT_GT(test::dot(p, displacement_under(compliance, p)), 0.0);
   }
   std::vector<double> checkerboard(grid.size()); // the shortest wave, the softest response
   for (std::size_t i = 0; i < grid.size(); ++i)
     checkerboard[i] = (i % static_cast<std::size_t>(grid.nx) + i / static_cast<std::size_t>(grid.nx)) % 2 ? 1.0 : -1.0;
-  EXPECT_GT(test::dot(checkerboard, displacement(compliance, checkerboard)), 0.0);
+  EXPECT_GT(test::dot(checkerboard, displacement_under(compliance, checkerboard)), 0.0);
 }
 
 TEST(UniformPressureTest, SinksTheCentreOfASquareByLovesNumber)
 {
   // Unit pressure on a unit square, mu = 1, nu = 0.28 (Love 1929, to eight digits); the square is one cell or 25.
   const double modulus = 2.0 / (1.0 - 0.28);
-  EXPECT_NEAR(displacement(SurfaceCompliance({1, 1, 1.0, 1.0}, modulus), {1.0})[0], 0.40399189, 1e-8);
+  EXPECT_NEAR(displacement_under(SurfaceCompliance({1, 1, 1.0, 1.0}, modulus), {1.0})[0], 0.40399189, 1e-8);
   const std::vector<double> many =
-      displacement(SurfaceCompliance({5, 5, 0.2, 0.2}, modulus), std::vector<double>(25, 1.0));
+      displacement_under(SurfaceCompliance({5, 5, 0.2, 0.2}, modulus), std::vector<double>(25, 1.0));
   EXPECT_NEAR(many[12], 0.40399189, 1e-8);
 }
 
@@ -104,7 +105,7 @@ TEST(UniformPressureTest, SinksTheCentreOfACircleByTwoPressureRadiusOverModulus)
             inside += std::hypot(i - n / 2 - 0.5 + (a + 0.5) / parts, j - n / 2 - 0.5 + (b + 0.5) / parts) < cells;
         pressure[static_cast<std::size_t>(i + n * j)] = static_cast<double>(inside) / (parts * parts);
       }
-    const std::vector<double> u = displacement(SurfaceCompliance({n, n, h, h}, 2.0), pressure);
+    const std::vector<double> u = displacement_under(SurfaceCompliance({n, n, h, h}, 2.0), pressure);
     return u[static_cast<std::size_t>(n * n / 2)] - 1.0;
   };
   const std::vector<double> errors{error(4), error(8), error(16)};
@@ -154,4 +155,4 @@ TEST(SurfaceComplianceDoorTest, RefusesFieldsOfAnotherSize)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::surface_compliance_test

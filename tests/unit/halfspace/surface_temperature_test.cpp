@@ -14,7 +14,7 @@
 #include <vector>
 
 /// The memory of a body that is heated step by step.
-namespace brinell::halfspace
+namespace brinell::halfspace::surface_temperature_test
 {
 namespace
 {
@@ -195,4 +195,4 @@ TEST(SurfaceTemperature, StepsOutsideWhatWasPlanned)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::surface_temperature_test

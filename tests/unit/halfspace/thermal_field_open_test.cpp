@@ -16,7 +16,7 @@
 #include <vector>
 
 /// What heat does to an elastic half space without ends.
-namespace brinell::halfspace
+namespace brinell::halfspace::thermal_field_open_test
 {
 namespace
 {
@@ -423,4 +423,4 @@ INSTANTIATE_TEST_SUITE_P(All, HeatedSpot,
                                          Spot{cells, 0.6, 300.0, 3}));
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::thermal_field_open_test

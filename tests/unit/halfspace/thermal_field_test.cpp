@@ -15,7 +15,7 @@
 #include <vector>
 
 /// What heat does to an elastic half space, wave by wave.
-namespace brinell::halfspace
+namespace brinell::halfspace::thermal_field_test
 {
 namespace
 {
@@ -316,4 +316,4 @@ TEST(ThermalField, RemembersAsMuchAfterManyStepsAsAfterOne)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::thermal_field_test

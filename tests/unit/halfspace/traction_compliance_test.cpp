@@ -16,7 +16,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::traction_compliance_test
 {
 namespace
 {
@@ -353,4 +353,4 @@ TEST(TractionComplianceDoorTest, RefusesWhatItCannotDo)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::traction_compliance_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace brinell::halfspace
+namespace brinell::halfspace::used_cells_test
 {
 namespace
 {
@@ -129,4 +129,4 @@ TEST(StrainInFewCells, IsNotMixedWithWhatWasLoadedBefore)
 }
 
 } // namespace
-} // namespace brinell::halfspace
+} // namespace brinell::halfspace::used_cells_test

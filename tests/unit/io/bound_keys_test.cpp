@@ -3,7 +3,7 @@
 #include "sample.hpp"
 
 /// Keys that fill a member by themselves: each the right one, of the scenario that is computed.
-namespace brinell::io
+namespace brinell::io::bound_keys_test
 {
 
 namespace
@@ -83,4 +83,4 @@ TEST(BoundKeys, FillRolling)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::bound_keys_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell::io
+namespace brinell::io::case_difference_test
 {
 
 namespace
@@ -56,4 +56,4 @@ TEST(CaseDifference, IsShort)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::case_difference_test

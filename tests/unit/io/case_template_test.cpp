@@ -10,7 +10,7 @@
 #include <regex>
 #include <sstream>
 
-namespace brinell::io
+namespace brinell::io::case_template_test
 {
 
 namespace
@@ -173,4 +173,4 @@ TEST(CaseTemplateFile, IsReplacedOnlyIfAsked)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::case_template_test

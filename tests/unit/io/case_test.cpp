@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell::io
+namespace brinell::io::case_test
 {
 
 namespace
@@ -334,4 +334,4 @@ TEST(CaseErrors, MissingFileAndFolder)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::case_test

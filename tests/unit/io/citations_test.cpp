@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-namespace brinell::io
+namespace brinell::io::citations_test
 {
 
 namespace
@@ -190,4 +190,4 @@ TEST(References, LinesBeginWithTheProgram)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::citations_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 /// Files of a stopped run that somebody, or a disk, has changed.
-namespace brinell::io
+namespace brinell::io::damaged_result_test
 {
 
 namespace
@@ -176,4 +176,4 @@ TEST(DamagedResult, CheckpointIsNotTrusted)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::damaged_result_test

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace brinell::io
+namespace brinell::io::feasibility_test
 {
 
 namespace
@@ -107,4 +107,4 @@ TEST(Feasibility, TellsTheSizeOfTheResult)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::feasibility_test

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The table [interface]. What cannot be computed is refused with its line, its key and value, and what is allowed.
-namespace brinell::io
+namespace brinell::io::friction_case_test
 {
 
 namespace
@@ -107,4 +107,4 @@ TEST(FrictionCase, WhatIsBadIsRefused)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::friction_case_test

@@ -8,7 +8,7 @@
 #include <fstream>
 
 /// Hardening laws as they stand in a case file.
-namespace brinell::io
+namespace brinell::io::hardening_case_test
 {
 namespace
 {
@@ -256,4 +256,4 @@ TEST_F(HardeningFile, ErrorsNameFileLineAndContent)
 }
 
 } // namespace
-} // namespace brinell::io
+} // namespace brinell::io::hardening_case_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace brinell::io
+namespace brinell::io::history_test
 {
 
 namespace
@@ -101,4 +101,4 @@ TEST(History, SaysThatItCannotBeWritten)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::history_test

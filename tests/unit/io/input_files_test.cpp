@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 /// Files that are no case, and cases that are made to break a parser.
-namespace brinell::io
+namespace brinell::io::input_files_test
 {
 
 namespace
@@ -162,4 +162,4 @@ TEST(InputFiles, ModulusBeyondAllSolidsIsWarnedOf)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::input_files_test

@@ -13,7 +13,7 @@
 
 /// Height maps in binary files. The bytes of the first test are those of numpy.save, so that writer and reader cannot be wrong
 /// together; the Python tests read and write with NumPy itself.
-namespace brinell::io
+namespace brinell::io::npy_test
 {
 
 namespace
@@ -175,4 +175,4 @@ TEST_F(Npy, ATableInMemoryIsAsGoodAsAFile)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::npy_test

@@ -3,7 +3,7 @@
 #include "brinell/io/schema.hpp"
 #include "sample.hpp"
 
-namespace brinell::io
+namespace brinell::io::old_names_test
 {
 
 namespace
@@ -127,4 +127,4 @@ TEST(OldNames, ListsThatDoNotFitAreRefused)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::old_names_test

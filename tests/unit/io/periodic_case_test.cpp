@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Boundaries in a case file. What cannot be computed is refused with its line, its key and value, and what is allowed.
-namespace brinell::io
+namespace brinell::io::periodic_case_test
 {
 
 namespace
@@ -302,4 +302,4 @@ boundary = ["open", "periodic"]
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::periodic_case_test

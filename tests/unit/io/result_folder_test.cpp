@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 /// What else is in the folder of a result, before, beside and during the run.
-namespace brinell::io
+namespace brinell::io::result_folder_test
 {
 
 namespace
@@ -132,4 +132,4 @@ TEST(ResultFolder, SaysThatItCannotBeWritten)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::result_folder_test

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace brinell::io
+namespace brinell::io::result_summary_test
 {
 
 namespace
@@ -69,4 +69,4 @@ TEST(ResultSummary, OfElasticBodiesHasNoScales)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::result_summary_test

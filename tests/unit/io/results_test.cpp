@@ -9,7 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace brinell::io
+namespace brinell::io::results_test
 {
 
 namespace
@@ -243,4 +243,4 @@ TEST(Results, FieldsMustFitTheirGrid)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::results_test

@@ -11,7 +11,7 @@
 #include <fstream>
 
 /// Case files of indentation and rolling.
-namespace brinell::io
+namespace brinell::io::scenario_case_test
 {
 
 namespace
@@ -420,4 +420,4 @@ TEST(ScenarioCase, ResolvedTextReadsBackTheSame)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::scenario_case_test

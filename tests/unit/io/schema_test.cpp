@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-namespace brinell::io
+namespace brinell::io::schema_test
 {
 
 namespace
@@ -144,4 +144,4 @@ TEST(Suggestion, FindsWhatWasMeant)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::schema_test

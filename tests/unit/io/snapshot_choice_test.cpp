@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell::io
+namespace brinell::io::snapshot_choice_test
 {
 
 namespace
@@ -60,4 +60,4 @@ TEST(SnapshotChoice, AlignedIsTheNearestStepOfEachPass)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::snapshot_choice_test

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Waves and roughness in a case file, and lists of textures.
-namespace brinell::io
+namespace brinell::io::texture_case_test
 {
 
 namespace
@@ -280,4 +280,4 @@ TEST_F(HeightFile, WhatWasNotMeasuredIsToldWithItsPlace)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::texture_case_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 /// What a material has to do with heat, as it stands in a case file.
-namespace brinell::io
+namespace brinell::io::thermal_case_test
 {
 namespace
 {
@@ -264,4 +264,4 @@ TEST(ThermalCase, ASourceOfHeat)
 }
 
 } // namespace
-} // namespace brinell::io
+} // namespace brinell::io::thermal_case_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace brinell::io
+namespace brinell::io::units_test
 {
 
 namespace
@@ -124,4 +124,4 @@ TEST(Units, NamesAndExamples)
 
 } // namespace
 
-} // namespace brinell::io
+} // namespace brinell::io::units_test

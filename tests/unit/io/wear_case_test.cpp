@@ -7,7 +7,7 @@
 #include <string>
 
 /// Wear as it stands in a case file.
-namespace brinell::io
+namespace brinell::io::wear_case_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(WearCase, WarnsOfACoefficientThatNoSolidHas)
 }
 
 } // namespace
-} // namespace brinell::io
+} // namespace brinell::io::wear_case_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-namespace brinell::reference
+namespace brinell::reference::critical_test
 {
 namespace
 {
@@ -110,4 +110,4 @@ TEST(CriticalTest, RefusesNonsense)
 }
 
 } // namespace
-} // namespace brinell::reference
+} // namespace brinell::reference::critical_test

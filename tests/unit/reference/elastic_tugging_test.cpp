@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace brinell::reference
+namespace brinell::reference::elastic_tugging_test
 {
 namespace
 {
@@ -124,4 +124,4 @@ TEST(ElasticTuggingTest, RefusesNonsense)
 }
 
 } // namespace
-} // namespace brinell::reference
+} // namespace brinell::reference::elastic_tugging_test

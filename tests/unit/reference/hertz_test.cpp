@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-namespace brinell::reference
+namespace brinell::reference::hertz_test
 {
 namespace
 {
@@ -328,4 +328,4 @@ TEST(FirstYieldTest, IsTheLargestStressOfTheWholeField)
 }
 
 } // namespace
-} // namespace brinell::reference
+} // namespace brinell::reference::hertz_test

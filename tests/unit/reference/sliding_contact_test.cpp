@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace brinell::reference
+namespace brinell::reference::sliding_contact_test
 {
 namespace
 {
@@ -137,4 +137,4 @@ TEST(SlidingFirstYieldTest, ClimbsToTheEdgeNearFrictionThreeTenths)
 }
 
 } // namespace
-} // namespace brinell::reference
+} // namespace brinell::reference::sliding_contact_test

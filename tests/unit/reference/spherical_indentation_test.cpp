@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace brinell::reference
+namespace brinell::reference::spherical_indentation_test
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(SphericalIndentationTest, RefusesNonsense)
 }
 
 } // namespace
-} // namespace brinell::reference
+} // namespace brinell::reference::spherical_indentation_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::bearing_test
 {
 namespace
 {
@@ -112,4 +112,4 @@ TEST(Bearing, OfAPlateauIsWhatStandsOutOfIt)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::bearing_test

@@ -13,7 +13,7 @@
 #include <set>
 #include <string>
 
-namespace brinell::simulation
+namespace brinell::simulation::columns_test
 {
 
 namespace
@@ -149,4 +149,4 @@ TEST(Columns, CountsOfACheckpointCanBeCountedOnFrom)
 
 } // namespace
 
-} // namespace brinell::simulation
+} // namespace brinell::simulation::columns_test

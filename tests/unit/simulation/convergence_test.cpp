@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::convergence_test
 {
 namespace
 {
@@ -172,4 +172,4 @@ TEST(ScaleCells, APeriodStaysAWholeNumberOfCells)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::convergence_test

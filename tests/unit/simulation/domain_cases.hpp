@@ -7,7 +7,7 @@
 #include <limits>
 
 /// Bodies in a period, and how their plans are refused.
-namespace brinell::simulation::test
+namespace brinell::simulation::cases
 {
 
 constexpr double radius = 10e-3; // of the cylinder [m]
@@ -34,4 +34,4 @@ inline IndentationCase cylinder(const contact::Drive& drive, double reference = 
   return c;
 }
 
-} // namespace brinell::simulation::test
+} // namespace brinell::simulation::cases

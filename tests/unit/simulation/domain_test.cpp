@@ -15,20 +15,19 @@
 #include <string>
 
 /// Plans of bodies in a period: plane strain, one and two periodic axes.
-namespace brinell::simulation
+namespace brinell::simulation::domain_test
 {
 namespace
 {
 
+using cases::approach;
+using cases::cylinder;
+using cases::load;
 using contact::Drive;
-using test::approach;
-using test::cylinder;
-using test::expect_refused;
-using test::load;
 
 constexpr double pi = std::numbers::pi;
 constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double R = test::radius;
+constexpr double R = cases::radius;
 
 IndentationCase flats(const Drive& drive)
 {
@@ -340,4 +339,4 @@ TEST(TextureFootprint, FlatsThatFitIntoEachOtherAreRefused)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::domain_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace brinell::simulation
+namespace brinell::simulation::estimates_test
 {
 namespace
 {
@@ -32,4 +32,4 @@ TEST(Estimates, NoLoadHasAPeakPressureOfHertzWithoutACurvature)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::estimates_test

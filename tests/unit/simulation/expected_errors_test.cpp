@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace brinell::simulation
+namespace brinell::simulation::expected_errors_test
 {
 namespace
 {
@@ -393,4 +393,4 @@ TEST(ExpectedErrors, OfAThinRingOfSlipGrow)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::expected_errors_test

@@ -16,7 +16,7 @@
 #include <string>
 
 /// When a pair of bodies begins to yield.
-namespace brinell::simulation
+namespace brinell::simulation::first_yield_test
 {
 namespace
 {
@@ -158,4 +158,4 @@ TEST(FirstYield, ComesSoonerWithFriction)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::first_yield_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::forces_test
 {
 namespace
 {
@@ -142,4 +142,4 @@ TEST(ForceRatioTest, OfForcesThatRoundingLeavesIsZero)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::forces_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::fretting_test
 {
 namespace
 {
@@ -40,7 +40,7 @@ FrettingCase sample()
 template <typename Change>
 void expect_refused(const std::string& key, const std::string& part, const Change& change)
 {
-  test::expect_refused(key, part, sample(), change);
+  expect_refused(key, part, sample(), change);
 }
 
 TEST(FrettingTest, RefusesWhatHasNoSolution)
@@ -168,7 +168,7 @@ TEST(FrettingTest, WithoutMotionItIsAnIndentation)
     i.upper = c.upper;
     i.sequence = {c.press};
     i.steps = c.press_steps;
-    const std::vector<FrettingRecord> rows = test::history(c);
+    const std::vector<FrettingRecord> rows = history(c);
     ASSERT_EQ(rows.size(), 7U);
     simulation::Run run(i);
     for (int step = 0; step < i.steps; ++step)
@@ -206,7 +206,7 @@ TEST(FrettingTest, SmallFrictionOrMotionHasTheSameShape)
       c.amplitude = amplitude;
       c.cycles = 1;
       c.resolution = 6.0;
-      return test::history(c);
+      return history(c);
     };
     const auto at_turn = [&](double friction, double amplitude)
     { return cycle(friction, amplitude)[sample().press_steps + 2U].force; };
@@ -275,9 +275,9 @@ TEST(FrettingTest, TheDirectionTurnsWithTheCase)
 {
   // A round contact on square cells: along y as along x.
   FrettingCase c = sample();
-  const FrettingRecord along_x = test::history(c).back();
+  const FrettingRecord along_x = history(c).back();
   c.direction = 0.5 * std::numbers::pi;
-  const FrettingRecord along_y = test::history(c).back();
+  const FrettingRecord along_y = history(c).back();
   EXPECT_NEAR(along_y.F_y, along_x.F_x, 1e-4 * std::abs(along_x.F_x));
   EXPECT_NEAR(along_y.force, along_x.force, 1e-4 * std::abs(along_x.force));
   EXPECT_NEAR(along_y.F_x, 0.0, 1e-4 * std::abs(along_x.F_x));
@@ -290,10 +290,10 @@ TEST(FrettingTest, EqualBodiesAreSolvedOnce)
   FrettingCase c = sample();
   c.cycles = 2;
   EXPECT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
-  const std::vector<FrettingRecord> one = test::history(c);
+  const std::vector<FrettingRecord> one = history(c);
   c.solver.mirror = false;
   EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
-  const std::vector<FrettingRecord> both = test::history(c);
+  const std::vector<FrettingRecord> both = history(c);
   for (std::size_t i = 0; i < one.size(); ++i)
   {
     EXPECT_NEAR(one[i].force, both[i].force, 1e-4 * std::abs(both[4].force));
@@ -359,4 +359,4 @@ TEST(FrettingTest, SlipAmplitudeIsThatOfThePointThatSlipsMostInTheCycle)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::fretting_test

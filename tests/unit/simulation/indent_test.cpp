@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::indent_test
 {
 namespace
 {
@@ -131,4 +131,4 @@ TEST(IndentTest, WorkIsTheAreaOfTheLoop)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::indent_test

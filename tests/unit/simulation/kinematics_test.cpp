@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::kinematics_test
 {
 namespace
 {
@@ -200,4 +200,4 @@ TEST(PassingTest, BothKinematicsAgreeToSecondOrderInTheAngle)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::kinematics_test

@@ -12,19 +12,18 @@
 #include <vector>
 
 /// Plans of contact in a line, in plane strain.
-namespace brinell::simulation
+namespace brinell::simulation::line_footprint_test
 {
 namespace
 {
 
-using test::approach;
-using test::cylinder;
-using test::expect_refused;
-using test::load;
-using test::steel;
+using cases::approach;
+using cases::cylinder;
+using cases::load;
+using cases::steel;
 
 constexpr double pi = std::numbers::pi;
-constexpr double R = test::radius;
+constexpr double R = cases::radius;
 
 double modulus()
 {
@@ -155,4 +154,4 @@ TEST(LineFootprint, InAPeriodTheApproachCountsFromTheMeanPlane)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::line_footprint_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-namespace brinell::simulation
+namespace brinell::simulation::plan_test
 {
 namespace
 {
@@ -205,4 +205,4 @@ TEST(PlanTest, StepsLieOnTheCellsOfBothBodies)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::plan_test

@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// Warnings about surfaces that slide: their heat and their shear limit.
-namespace brinell::simulation
+namespace brinell::simulation::quality_of_sliding_test
 {
 namespace
 {
@@ -152,4 +152,4 @@ TEST(Quality, SurfacesExpectedAtTheirShearStrength)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::quality_of_sliding_test

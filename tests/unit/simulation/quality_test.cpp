@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::quality_test
 {
 namespace
 {
@@ -339,4 +339,4 @@ TEST(Quality, TexturesOfTugging)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::quality_test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace brinell::simulation
+namespace brinell::simulation::random_surface_test
 {
 namespace
 {
@@ -395,4 +395,4 @@ TEST(Texture, KnowsWhetherItIsPeriodic)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::random_surface_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::rolling_creepage_test
 {
 namespace
 {
@@ -39,7 +39,7 @@ RollingCase sample()
 template <typename Change>
 void expect_refused(const std::string& key, const std::string& part, const Change& change)
 {
-  test::expect_refused(key, part, sample(), change);
+  expect_refused(key, part, sample(), change);
 }
 
 TEST(RollingCreepageTest, TakesAShiftOfWholeCellsWithTheDigitsThatAMessageGives)
@@ -95,10 +95,10 @@ TEST(RollingCreepageTest, NoCreepageOfEqualBodiesIsRollingWithoutFriction)
   c.creepage = Creepage{};
   c.solver.mirror = false;
   c.solver.symmetry = false; // what may stick is not solved by halves, and the order of sums is one of digits
-  const std::vector<RollingRecord> with = test::history(c);
+  const std::vector<RollingRecord> with = history(c);
   c.creepage.reset();
   c.friction.coefficient = 0.0;
-  const std::vector<RollingRecord> without = test::history(c);
+  const std::vector<RollingRecord> without = history(c);
   ASSERT_EQ(with.size(), without.size());
   for (std::size_t i = 0; i < with.size(); ++i)
   {
@@ -115,7 +115,7 @@ TEST(RollingCreepageTest, ItsRecordsBelongTogether)
   const RollingCase c = sample();
   const RollingPlan p = plan(c);
   EXPECT_EQ(p.twin, elastoplastic::Twin::none);
-  const std::vector<RollingRecord> rows = test::history(c);
+  const std::vector<RollingRecord> rows = history(c);
   double largest = 0.0;
   for (const RollingRecord& r : rows)
   {
@@ -139,9 +139,9 @@ TEST(RollingCreepageTest, TheOtherWayAndTheOtherSideAreMirrorImages)
 {
   // Lateral creepage and spin the other way: the mirror image in y.
   RollingCase c = sample();
-  const std::vector<RollingRecord> one = test::history(c);
+  const std::vector<RollingRecord> one = history(c);
   c.creepage = Creepage{0.003, -0.001, -20.0};
-  const std::vector<RollingRecord> other = test::history(c);
+  const std::vector<RollingRecord> other = history(c);
   ASSERT_EQ(one.size(), other.size());
   // Friction times load, and that times the radius of the contact, by the tolerance of the yield condition.
   const double tolerance = 1e-4, limit = 0.3 * 2.0, radius = plan(c).half_width_x;
@@ -188,10 +188,10 @@ TEST(RollingCreepageTest, LongStepsLoseNothingOverTheEndOfTheGrid)
   c.distance = 100e-6;
   c.extent = 0.5;
   c.shift = 4.0 * plan(c).shift;
-  const std::vector<RollingRecord> tight = test::history(c);
+  const std::vector<RollingRecord> tight = history(c);
   EXPECT_FALSE(run(c).grid_changes.empty());
   c.extent = 2.0;
-  const std::vector<RollingRecord> wide = test::history(c);
+  const std::vector<RollingRecord> wide = history(c);
   ASSERT_EQ(tight.size(), wide.size());
   for (std::size_t i = 0; i < tight.size(); ++i)
     EXPECT_NEAR(tight[i].F_x, wide[i].F_x, 1e-5 * wide[i].F_n + 1e-12);
@@ -219,4 +219,4 @@ TEST(RollingCreepageTest, AShortTrackIsToldToBeUnsteady)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::rolling_creepage_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::run_test
 {
 namespace
 {
@@ -268,4 +268,4 @@ TEST(TexturedTugging, IsTakenUpAtAnyStep)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::run_test

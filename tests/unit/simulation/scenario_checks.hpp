@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What the tests of all scenarios do with a case.
-namespace brinell::simulation::test
+namespace brinell::simulation
 {
 
 /// All rows of a run.
@@ -47,4 +47,4 @@ void expect_refused(const std::string& key, const std::string& part, ScenarioCas
   expect_refused(c, key, part);
 }
 
-} // namespace brinell::simulation::test
+} // namespace brinell::simulation

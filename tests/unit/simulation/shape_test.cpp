@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace brinell::simulation
+namespace brinell::simulation::shape_test
 {
 namespace
 {
@@ -182,4 +182,4 @@ TEST(ShapeTest, EquivalentRadiusIsThatOfRoundPairs)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::shape_test

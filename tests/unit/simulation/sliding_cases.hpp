@@ -4,7 +4,7 @@
 #include "brinell/simulation/sliding.hpp"
 
 /// Sliding cases of several tests.
-namespace brinell::simulation::test
+namespace brinell::simulation::cases
 {
 
 inline const constitutive::Material hard_steel{{210e9, 0.3}, constitutive::LinearHardening{1e9, 10e9}};
@@ -29,4 +29,4 @@ inline SlidingCase waves(int cells, int steps)
   return c;
 }
 
-} // namespace brinell::simulation::test
+} // namespace brinell::simulation::cases

@@ -18,21 +18,21 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::sliding_test
 {
 namespace
 {
 
 using Kind = contact::Drive::Kind;
-using test::hard_steel;
-using test::period;
-using test::soft_steel;
+using cases::hard_steel;
+using cases::period;
+using cases::soft_steel;
 
 constexpr double cell = 1e-6;
 
 SlidingCase waves()
 {
-  return test::waves(33, 6);
+  return cases::waves(33, 6);
 }
 
 /// A ball on a flat with a dent.
@@ -69,19 +69,15 @@ TEST(SlidingTest, RefusesWhatHasNoSolution)
 {
   EXPECT_NO_THROW(static_cast<void>(plan(waves())));
   EXPECT_NO_THROW(static_cast<void>(plan(ball())));
-  test::expect_refused("lower.shape", "flat lower body", ball(),
-                       [](auto& c) { std::swap(c.lower.shape, c.upper.shape); });
-  test::expect_refused("sliding.distance", "= 0 m", waves(), [](auto& c) { c.distance = 0.0; });
-  test::expect_refused("sliding.shift", "up to sliding.distance", waves(), [](auto& c) { c.shift = 1e-3; });
-  test::expect_refused("sliding.shift", "> 0", waves(), [](auto& c) { c.shift = 0.0; });
-  test::expect_refused("sliding.strokes", "= 0", waves(), [](auto& c) { c.strokes = 0; });
-  test::expect_refused("sliding.strokes", "to_and_fro", ball(), [](auto& c) { c.strokes = 2; });
-  test::expect_refused("sliding.press_steps", "= 0", waves(), [](auto& c) { c.press_steps = 0; });
-  test::expect_refused("sliding.mean_gap", "first touch at", waves(),
-                       [](auto& c) {
-                         c.press = {Kind::mean_gap, 1e-6};
-                       });
-  test::expect_refused("interface.friction", "-0.1", waves(), [](auto& c) { c.friction.coefficient = -0.1; });
+  expect_refused("lower.shape", "flat lower body", ball(), [](auto& c) { std::swap(c.lower.shape, c.upper.shape); });
+  expect_refused("sliding.distance", "= 0 m", waves(), [](auto& c) { c.distance = 0.0; });
+  expect_refused("sliding.shift", "up to sliding.distance", waves(), [](auto& c) { c.shift = 1e-3; });
+  expect_refused("sliding.shift", "> 0", waves(), [](auto& c) { c.shift = 0.0; });
+  expect_refused("sliding.strokes", "= 0", waves(), [](auto& c) { c.strokes = 0; });
+  expect_refused("sliding.strokes", "to_and_fro", ball(), [](auto& c) { c.strokes = 2; });
+  expect_refused("sliding.press_steps", "= 0", waves(), [](auto& c) { c.press_steps = 0; });
+  expect_refused("sliding.mean_gap", "first touch at", waves(), [](auto& c) { c.press = {Kind::mean_gap, 1e-6}; });
+  expect_refused("interface.friction", "-0.1", waves(), [](auto& c) { c.friction.coefficient = -0.1; });
   for (const double load : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
   {
     SlidingCase c = waves();
@@ -363,20 +359,19 @@ TEST(SlidingTest, PeaksMeetOnTheWay)
 TEST(SlidingTest, SurfacesThatNeverTouchAreRefused)
 {
   // Tops that overlap by nothing; beside each other; and a way that ends before they meet.
-  test::expect_refused("sliding.approach", "first touch at -4e-07 m", two_peaks(),
-                       [](auto& c) { c.press.value = -0.45e-6; });
-  test::expect_refused("sliding.approach", "on their way", two_peaks(), [](auto& c) { c.distance = 4e-6; });
-  test::expect_refused("sliding.approach", "on their way", two_peaks(),
-                       [](auto& c) { std::get<HeightMap>(c.lower.texture.parts.front()).y = 12e-6; });
+  expect_refused("sliding.approach", "first touch at -4e-07 m", two_peaks(), [](auto& c) { c.press.value = -0.45e-6; });
+  expect_refused("sliding.approach", "on their way", two_peaks(), [](auto& c) { c.distance = 4e-6; });
+  expect_refused("sliding.approach", "on their way", two_peaks(),
+                 [](auto& c) { std::get<HeightMap>(c.lower.texture.parts.front()).y = 12e-6; });
   EXPECT_NO_THROW(static_cast<void>(plan(two_peaks())));
-  test::expect_refused("sliding.approach", "smooth bodies", ball(),
-                       [](auto& c)
-                       {
-                         c.lower.texture = {};
-                         c.press = {Kind::approach, -1e-9};
-                       });
+  expect_refused("sliding.approach", "smooth bodies", ball(),
+                 [](auto& c)
+                 {
+                   c.lower.texture = {};
+                   c.press = {Kind::approach, -1e-9};
+                 });
   // The hollow of the dent is below, its shoulder 4 % of the depth above.
-  test::expect_refused("sliding.approach", "on their way", ball(), [](auto& c) { c.press = {Kind::approach, -5e-9}; });
+  expect_refused("sliding.approach", "on their way", ball(), [](auto& c) { c.press = {Kind::approach, -5e-9}; });
   EXPECT_NO_THROW(static_cast<void>(plan(
       [&]
       {
@@ -405,7 +400,7 @@ TEST(SlidingTest, PeaksMeetAtAMeanGap)
     EXPECT_NEAR(by_gap.history[i].F_X, by_approach.history[i].F_X, 1e-5 * largest) << i;
   }
   EXPECT_GT(largest, 0.0);
-  test::expect_refused("sliding.mean_gap", "first touch at", c, [&](auto& d) { d.press.value = 1.5 * gap; });
+  expect_refused("sliding.mean_gap", "first touch at", c, [&](auto& d) { d.press.value = 1.5 * gap; });
 }
 
 TEST(SlidingTest, PatchesAreThoseOfTheContact)
@@ -454,4 +449,4 @@ TEST(SlidingTest, BearingCurvesAreThoseOfTheTexturesUntilSomethingYields)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::sliding_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::stepper_test
 {
 namespace
 {
@@ -211,4 +211,4 @@ TEST(StepperTest, WhereNothingConvergesTheErrorSaysWhatWasReached)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::stepper_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::summary_test
 {
 namespace
 {
@@ -122,4 +122,4 @@ TEST(SummaryTest, NothingHappened)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::summary_test

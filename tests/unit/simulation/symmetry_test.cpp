@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace brinell::simulation
+namespace brinell::simulation::symmetry_test
 {
 namespace
 {
@@ -104,4 +104,4 @@ TEST(Symmetry, IsUsedOnlyWhereItHolds)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::symmetry_test

@@ -9,7 +9,7 @@
 #include <string>
 
 /// Grids of bodies with textures.
-namespace brinell::simulation
+namespace brinell::simulation::texture_plan_test
 {
 namespace
 {
@@ -120,4 +120,4 @@ TEST(TexturePlan, ATextureWidensTheGrids)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::texture_plan_test

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// A hardening law of a user's own goes through a whole run as those of the library do.
-namespace brinell::simulation
+namespace brinell::simulation::user_law_test
 {
 namespace
 {
@@ -116,4 +116,4 @@ TEST(UserLaw, BodiesOfTheSameLawAreTwins)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::user_law_test

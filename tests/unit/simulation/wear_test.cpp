@@ -17,21 +17,21 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation
+namespace brinell::simulation::wear_test
 {
 namespace
 {
 
 using Kind = contact::Drive::Kind;
+using cases::hard_steel;
+using cases::period;
+using cases::soft_steel;
 using elastoplastic::WearLaw;
-using test::hard_steel;
-using test::period;
-using test::soft_steel;
 
 /// Waves on both of two steels, in a period, with friction and wear.
 SlidingCase waves()
 {
-  SlidingCase c = test::waves(15, 4);
+  SlidingCase c = cases::waves(15, 4);
   c.friction.coefficient = 0.2;
   c.wear = {.lower = 2e-13, .upper = 1e-13};
   return c;
@@ -109,29 +109,29 @@ TEST(WearTest, IsRefusedWhereItMakesNoSense)
 {
   SlidingCase s = waves();
   s.wear.lower = -1e-15;
-  test::expect_refused(s, "interface.wear.lower", "-1e-15");
+  expect_refused(s, "interface.wear.lower", "-1e-15");
   s = waves();
   s.wear.upper = std::numeric_limits<double>::infinity();
-  test::expect_refused(s, "interface.wear.upper", "inf");
+  expect_refused(s, "interface.wear.upper", "inf");
   s = waves();
   s.wear.kind = WearLaw::Kind::energy;
   s.friction.coefficient = 0.0;
-  test::expect_refused(s, "interface.wear.law", "interface.friction = 0");
+  expect_refused(s, "interface.wear.law", "interface.friction = 0");
   RollingCase r = rolling();
   r.slide_to_roll = 0.0;
   r.friction.coefficient = 0.0;
   r.wear.lower = 0.0;
-  test::expect_refused(r, "interface.wear.upper", "rolling.slide_to_roll = 0");
+  expect_refused(r, "interface.wear.upper", "rolling.slide_to_roll = 0");
   r = rolling();
   r.slide_to_roll = 0.0;
   r.creepage = Creepage{.longitudinal = 1e-3};
-  test::expect_refused(r, "interface.wear.lower", "rolling.slide_to_roll instead of");
+  expect_refused(r, "interface.wear.lower", "rolling.slide_to_roll instead of");
   FrettingCase f = fretting();
   f.amplitude = 0.0;
-  test::expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
+  expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
   f = fretting();
   f.cycles = 0;
-  test::expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
+  expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
 }
 
 // Under a mean gap that is kept the load changes, and the volume is coefficient x load x way step by step.
@@ -356,4 +356,4 @@ TEST(WearTest, IsToldWhereItIsAnEstimate)
 }
 
 } // namespace
-} // namespace brinell::simulation
+} // namespace brinell::simulation::wear_test
