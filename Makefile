@@ -48,7 +48,7 @@ test: build .venv/.setup-done
 	@tools/setup.sh test
 	@status=0; \
 	ctest --preset release --parallel $(JOBS) || status=1; \
-	$(python) -m pytest || status=1; \
+	$(python) -m pytest --numprocesses $(JOBS) || status=1; \
 	exit $$status
 
 # --- The paper's case -------------------------------------------------------------------------------------------------
