@@ -5,7 +5,6 @@ import dataclasses
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -157,27 +156,6 @@ def test_the_curve_of_the_page_is_that_of_its_case_file(tmp_path: Path) -> None:
     law = brinell.Table.from_file(tmp_path / "100Cr6.csv", unit="MPa", strain="%")
     hardening = tomllib.loads(case.to_toml())["lower"]["material"]["hardening"]
     assert (tuple(hardening["plastic_strain"]), tuple(hardening["stress"])) == (law.plastic_strain, law.stress)
-
-
-def outline(page: str) -> list[tuple[str, list[str]]]:
-    """Commands of the command line's page, and their options: what does not depend on who lays out a help text."""
-    sections = re.split(r"^#+ (?=`)", page, flags=re.MULTILINE)[1:]
-    return [(text.split("\n")[0], sorted(set(re.findall(r"(?<!\S)--[a-z][\w-]*", text)))) for text in sections]
-
-
-def test_the_page_of_the_command_line_has_all_commands_and_options() -> None:
-    program = Path(sys.executable).with_name("brinell")
-    if not program.exists():
-        pytest.skip("the command brinell is not installed beside this Python")
-    page = ROOT / "docs" / "reference" / "command-line.md"
-    done = subprocess.run(
-        [sys.executable, str(ROOT / "tools" / "render_command_line.py"), str(program)],
-        check=True,
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
-    assert outline(done.stdout) == outline(page.read_text(encoding="utf-8")), "make docs writes the page"
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/install.md", "Dockerfile"])
