@@ -3,7 +3,6 @@
 #include "brinell/simulation/sliding.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/simulation/bearing.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/run.hpp"
 #include "scenario_checks.hpp"
@@ -24,46 +23,14 @@ namespace
 {
 
 using Kind = contact::Drive::Kind;
+using cases::ball;
+using cases::cell;
+using cases::computed;
 using cases::hard_steel;
 using cases::period;
+using cases::SlidingResult;
 using cases::soft_steel;
-
-constexpr double cell = 1e-6;
-
-SlidingCase waves()
-{
-  return cases::waves(33, 6);
-}
-
-/// A ball on a flat with a dent.
-SlidingCase ball()
-{
-  SlidingCase c;
-  c.lower = {Plane{}, soft_steel};
-  c.lower.texture = Dent{10e-6, 0.0, 0.1e-6, 30e-6};
-  c.upper = {Paraboloid{1e-3, 1e-3}, hard_steel};
-  c.press = {Kind::load, 2.0};
-  c.press_steps = 1;
-  c.distance = 60e-6;
-  c.resolution = 4.0;
-  return c;
-}
-
-struct Result
-{
-  std::vector<SlidingRecord> history;
-  SlidingSummary summary;
-};
-
-Result computed(const SlidingCase& c)
-{
-  Result result;
-  simulation::Run run(c);
-  while (!run.is_done())
-    result.history.push_back(run.step());
-  result.summary = run.summary();
-  return result;
-}
+using cases::waves;
 
 TEST(SlidingTest, RefusesWhatHasNoSolution)
 {
@@ -123,7 +90,7 @@ TEST(SlidingTest, StrokesGoOnOrToAndFro)
     c.distance = 3e-6;
     c.strokes = 3;
     c.to_and_fro = to_and_fro;
-    const Result result = computed(c);
+    const SlidingResult result = computed(c);
     ASSERT_EQ(result.history.size(), 2U + 9U + 2U);
     for (int i = 0; i < 9; ++i)
     {
@@ -160,7 +127,7 @@ TEST(SlidingTest, OfABallIsARollingThatDoesNotTurn)
   while (!run.is_done())
     rolled.push_back(run.step());
   c.distance = (static_cast<double>(rolled.size()) - 2.0) * plan(rolling).shift;
-  const Result slid = computed(c);
+  const SlidingResult slid = computed(c);
   ASSERT_EQ(slid.history.size(), rolled.size());
   for (std::size_t i = 0; i < rolled.size(); ++i)
   {
@@ -195,7 +162,7 @@ TEST(SlidingTest, WorkOfASlideIsFrictionTimesLoadTimesDistance)
       c.distance = 60e-6;
       c.shift = c.distance / steps;
       const double friction_work = c.friction.coefficient * c.press.value * c.distance;
-      const Result slide = computed(c);
+      const SlidingResult slide = computed(c);
       const SlidingRecord &pressed = slide.history.at(0), &slid = slide.history.at(slide.history.size() - 2);
       const double stored = slid.energy_elastic - pressed.energy_elastic;
       EXPECT_GT(stored, 0.0);
@@ -212,7 +179,7 @@ TEST(SlidingTest, StrokesToAndFroWorkEachAsTheFirst)
   c.shift = 15e-6;
   c.strokes = 3;
   c.to_and_fro = true;
-  const Result result = computed(c);
+  const SlidingResult result = computed(c);
   const double friction_work = c.friction.coefficient * c.press.value * c.distance;
   for (std::size_t stroke = 1; stroke <= 3; ++stroke)
     EXPECT_NEAR((result.history.at(2 * stroke).work - result.history.at(2 * stroke - 2).work) / friction_work, 1.0,
@@ -229,7 +196,7 @@ TEST(SlidingTest, HeatOfASlideEntersTheBodiesFromTheFirstStepOn)
   c.heat.displacement = c.heat.stress = false;
   c.speed = 1.0;
   c.distance = c.shift.emplace(60e-6);
-  const Result slide = computed(c);
+  const SlidingResult slide = computed(c);
   const SlidingRecord &pressed = slide.history.at(0), &slid = slide.history.at(1);
   const double stored = slid.energy_elastic - pressed.energy_elastic;
   EXPECT_NEAR((slid.heat_lower + slid.heat_upper + stored) / (c.friction.coefficient * c.press.value * c.distance), 1.0,
@@ -252,14 +219,14 @@ TEST(SlidingTest, NothingTellsWhereThePeriodBegins)
   // Both runs solve the same problem; what is left is rounding, grown by the iterations up to where these stop.
   c.solver.contact_tolerance = 1e-12;
   c.solver.yield_tolerance = c.solver.displacement_tolerance = 1e-10;
-  const Result here = computed(c);
+  const SlidingResult here = computed(c);
   auto& below = std::get<HeightMap>(c.lower.texture.parts.front());
   auto& above = std::get<Sinusoid>(c.upper.texture.parts.front());
   for (double* x : {&below.x, &above.x})
     *x += 7.0 * cell;
   for (double* y : {&below.y, &above.y})
     *y -= 4.0 * cell;
-  const Result there = computed(c);
+  const SlidingResult there = computed(c);
   ASSERT_GT(here.summary.dissipation_lower, 0.0);
   const SlidingRecord& last = here.history.at(here.history.size() - 3); // that slides
   constexpr double bound = 1e-10;
@@ -279,11 +246,11 @@ TEST(SlidingTest, NothingTellsWhichBodyIsBelow)
 {
   SlidingCase c = waves();
   c.friction.coefficient = 0.2;
-  const Result upright = computed(c);
+  const SlidingResult upright = computed(c);
   std::swap(c.lower, c.upper);
   for (ShapedBody* body : {&c.lower, &c.upper}) // turned about y
     std::get<Sinusoid>(body->texture.parts.front()).x *= -1.0;
-  const Result turned = computed(c);
+  const SlidingResult turned = computed(c);
   // The tolerances of the solver.
   for (std::size_t i = 0; i < upright.history.size(); ++i)
   {
@@ -296,156 +263,6 @@ TEST(SlidingTest, NothingTellsWhichBodyIsBelow)
   EXPECT_NEAR(a.dissipation_friction, b.dissipation_friction, 1e-4 * a.dissipation_friction);
   EXPECT_NEAR(a.rms_height_lower, b.rms_height_upper, 1e-6 * a.rms_height_lower);
   EXPECT_NEAR(a.mean_height_upper, b.mean_height_lower, 1e-6 * a.mean_height_upper);
-}
-
-TEST(SlidingTest, HeightsAreThoseOfTheTexturesUntilSomethingYields)
-{
-  SlidingCase c = waves();
-  c.lower.material.hardening.reset();
-  c.upper.material.hardening.reset();
-  const SlidingStroke stroke = computed(c).summary.strokes.front();
-  // Of cos cos, a half and (2/pi)^2; cells show the waves a little flatter than they are.
-  EXPECT_NEAR(stroke.rms_height_lower / 0.2e-6, 0.5, 0.005);
-  EXPECT_NEAR(stroke.mean_height_lower / 0.2e-6, 4.0 / 9.8696, 0.005);
-  EXPECT_NEAR(stroke.rms_height_upper / 0.1e-6, 0.5, 0.01);
-  EXPECT_EQ(stroke.dissipation_plastic, 0.0);
-}
-
-/// A cap of a sphere, on a flat or on the other one of a period.
-HeightMap cap(double radius, double height, double x)
-{
-  const int half = static_cast<int>(std::ceil(std::sqrt(2.0 * radius * height) / cell));
-  HeightMap map = sampled([&](double u, double v) { return std::max(0.0, height - (u * u + v * v) / (2.0 * radius)); },
-                          2 * half + 1, 2 * half + 1, cell, cell);
-  map.x = x;
-  return map;
-}
-
-/// Two peaks a third of a period apart.
-SlidingCase two_peaks()
-{
-  SlidingCase c = waves();
-  c.lower.texture = cap(50e-6, 0.2e-6, 6e-6);
-  c.upper.texture = cap(50e-6, 0.2e-6, -5e-6);
-  c.press = {Kind::approach, -0.3e-6};
-  c.distance = 20e-6;
-  return c;
-}
-
-TEST(SlidingTest, PeaksMeetOnTheWay)
-{
-  SlidingCase c = two_peaks();
-  const Result result = computed(c);
-  EXPECT_EQ(result.history.at(1).F_n, 0.0) << "pressed, but apart";
-  EXPECT_NEAR(result.history.at(1).approach, -0.3e-6, 1e-20);
-  EXPECT_EQ(result.history.back().F_n, 0.0);
-  double first = 0.0, last = 0.0;
-  for (const SlidingRecord& r : result.history)
-    if (r.F_n > 0.0)
-    {
-      first = first > 0.0 ? first : r.slid;
-      last = r.slid;
-      EXPECT_EQ(r.patches, 1) << r.slid;
-    }
-  // Tops are 11 um apart; with an overlap of 0.1 um they touch within sqrt(2 (R1 + R2) 0.1 um) = 4.5 um of each other.
-  EXPECT_NEAR(first, 7.0e-6, 1.1e-6);
-  EXPECT_GE(last, 11e-6);
-  EXPECT_LT(last, 16e-6);
-  EXPECT_GT(result.summary.dissipation_lower, 0.0);
-  const double before = std::abs(result.history.at(2).work);
-  EXPECT_EQ(before, 0.0) << "nothing works on peaks that are apart";
-}
-
-TEST(SlidingTest, SurfacesThatNeverTouchAreRefused)
-{
-  // Tops that overlap by nothing; beside each other; and a way that ends before they meet.
-  expect_refused("sliding.approach", "first touch at -4e-07 m", two_peaks(), [](auto& c) { c.press.value = -0.45e-6; });
-  expect_refused("sliding.approach", "on their way", two_peaks(), [](auto& c) { c.distance = 4e-6; });
-  expect_refused("sliding.approach", "on their way", two_peaks(),
-                 [](auto& c) { std::get<HeightMap>(c.lower.texture.parts.front()).y = 12e-6; });
-  EXPECT_NO_THROW(static_cast<void>(plan(two_peaks())));
-  expect_refused("sliding.approach", "smooth bodies", ball(),
-                 [](auto& c)
-                 {
-                   c.lower.texture = {};
-                   c.press = {Kind::approach, -1e-9};
-                 });
-  // The hollow of the dent is below, its shoulder 4 % of the depth above.
-  expect_refused("sliding.approach", "on their way", ball(), [](auto& c) { c.press = {Kind::approach, -5e-9}; });
-  EXPECT_NO_THROW(static_cast<void>(plan(
-      [&]
-      {
-        SlidingCase c = ball();
-        c.press = {Kind::approach, -2e-9};
-        return c;
-      }())));
-}
-
-TEST(SlidingTest, PeaksMeetAtAMeanGap)
-{
-  // Elastic bodies over a period: an approach is a mean gap.
-  SlidingCase c = two_peaks();
-  c.lower.material.hardening.reset();
-  c.upper.material.hardening.reset();
-  const Result by_approach = computed(c);
-  const double gap = by_approach.history.at(1).mean_gap;
-  c.press = {Kind::mean_gap, gap};
-  const Result by_gap = computed(c);
-  ASSERT_EQ(by_gap.history.size(), by_approach.history.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < by_gap.history.size(); ++i)
-  {
-    largest = std::max(largest, by_approach.history[i].F_n);
-    EXPECT_NEAR(by_gap.history[i].F_n, by_approach.history[i].F_n, 1e-5 * largest) << i; // tolerance of the contact
-    EXPECT_NEAR(by_gap.history[i].F_X, by_approach.history[i].F_X, 1e-5 * largest) << i;
-  }
-  EXPECT_GT(largest, 0.0);
-  expect_refused("sliding.mean_gap", "first touch at", c, [&](auto& d) { d.press.value = 1.5 * gap; });
-}
-
-TEST(SlidingTest, PatchesAreThoseOfTheContact)
-{
-  SlidingCase c = waves();
-  const Result result = computed(c);
-  const SlidingStroke& stroke = result.summary.strokes.front();
-  double patches = 0.0, largest = 0.0;
-  int steps = 0;
-  for (const SlidingRecord& r : result.history)
-  {
-    EXPECT_EQ(r.patches > 0, r.contact_area > 0.0);
-    EXPECT_LE(r.largest_patch, r.contact_area * (1.0 + 1e-12));
-    EXPECT_GE(r.largest_patch * r.patches, r.contact_area * (1.0 - 1e-12));
-    if (r.way > 0.0 && r.F_n > 0.19)
-    {
-      patches += r.patches;
-      largest += r.largest_patch;
-      ++steps;
-    }
-  }
-  EXPECT_NEAR(stroke.patches, patches / steps, 1e-12 * patches);
-  EXPECT_NEAR(stroke.largest_patch, largest / steps, 1e-12 * largest);
-}
-
-TEST(SlidingTest, BearingCurvesAreThoseOfTheTexturesUntilSomethingYields)
-{
-  SlidingCase c = waves();
-  c.lower.material.hardening.reset();
-  c.upper.material.hardening.reset();
-  const SlidingStroke stroke = computed(c).summary.strokes.front();
-  const auto expected = [&](const Texture& texture)
-  {
-    std::vector<double> heights = depths(texture, plan(c).lower.surface, 0.0, -0.5 * period + 0.5 * cell);
-    for (double& h : heights)
-      h = -h;
-    return bearing_of(heights);
-  };
-  const Bearing lower = expected(c.lower.texture), upper = expected(c.upper.texture);
-  EXPECT_NEAR(stroke.core_height_lower, lower.core_height, 1e-9 * lower.core_height);
-  EXPECT_NEAR(stroke.peak_height_lower, lower.peak_height, 1e-9 * lower.peak_height);
-  EXPECT_NEAR(stroke.valley_depth_lower, lower.valley_depth, 1e-9 * lower.valley_depth);
-  EXPECT_NEAR(stroke.core_height_upper, upper.core_height, 1e-9 * upper.core_height);
-  EXPECT_NEAR(stroke.peak_height_upper, upper.peak_height, 1e-9 * upper.peak_height);
-  EXPECT_NEAR(stroke.valley_depth_upper, upper.valley_depth, 1e-9 * upper.valley_depth);
 }
 
 } // namespace
