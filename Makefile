@@ -90,7 +90,7 @@ sanitize: build/sanitize/build.ninja
 	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
 
-# The floors one by one; a quarter of an hour where the whole suite takes hours.
+# The floors one by one; half an hour on two slow cores where the whole suite takes hours.
 sanitize-fast: build/sanitize/build.ninja
 	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS) --target brinell_unit_tests
 	ctest --preset sanitize --parallel $(JOBS) --timeout 300 -R '^unit\.'
