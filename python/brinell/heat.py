@@ -2,7 +2,7 @@
 """Heat flux into the surface of a half space: temperature rise, thermal displacement and thermal stress.
 
 The grid is at rest on the body, and the flux moves over it; the surface is adiabatic elsewhere. Arrays are [y, x].
-The theory page on heat describes the method, which tugging, rolling and sliding use.
+The theory page on heat describes the method, which tugging, rolling, sliding and fretting use.
 
     grid = SurfaceGrid(64, 64, 1e-5, 1e-5)
     steel = Thermal(conductivity=50, density=7850, specific_heat=450)

@@ -120,7 +120,7 @@ class HeatSource(_Table):
 
 @dataclass(frozen=True, kw_only=True)
 class Heating(_Table):
-    """Effects of heat on bodies with thermal constants, in tugging, rolling and sliding.
+    """Effects of heat on bodies with thermal constants, in tugging, rolling, sliding and fretting.
 
     Attributes:
         partition: fraction of the frictional heat that enters the lower body [-]; None: both surfaces have the same
@@ -128,7 +128,7 @@ class Heating(_Table):
         conductance: thermal conductance of the contact [W/(m² K)]. None: there is no thermal resistance or, if
             `partition` is given, no exchange of heat between the bodies.
         regime: "transient": all heat since the start counts; "steady": the heat flux of each step is taken to have
-            always acted (bodies that yield then need heat_of_plastic_work=0).
+            always acted (bodies that yield then need heat_of_plastic_work=0; not where surfaces may stick).
         reference: distance at which the displacement of a body at rest under a steady flux is set to zero [m].
         heat_of_plastic_work: fraction of the plastic work that becomes heat at the point where it is done [-]; 0: none.
         displacement: whether thermal expansion of the surfaces changes the gap.

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
@@ -13,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.quiver import Quiver, QuiverKey
 
 import brinell
+from brinell import InputError
 from brinell._toml import tomllib
 from brinell.plot import slip, style, tangential
 from brinell.report.volumes import pictures_of
@@ -26,10 +29,10 @@ FLAT, BALL = brinell.Body(brinell.Flat(), STEEL), brinell.Body(brinell.Sphere("1
 FRICTION, LOAD = 0.6, 50.0
 
 
-def fretting(**arguments: object) -> brinell.Fretting:
+def fretting(lower: brinell.Body = FLAT, upper: brinell.Body = BALL, **arguments: object) -> brinell.Fretting:
     given: dict = {"load": LOAD, "displacement": "0.6 um", "steps_per_cycle": 16, "press_steps": 2}
     parts: dict = {"interface": brinell.Interface(friction=FRICTION), "grid": {"resolution": 6}}
-    return brinell.Fretting(FLAT, BALL, **(given | parts | arguments))
+    return brinell.Fretting(lower, upper, **(given | parts | arguments))
 
 
 @pytest.fixture(scope="module")
@@ -365,3 +368,31 @@ def test_all_figures_of_a_run(run: Run) -> None:
 def test_other_scenarios_are_refused(make_rolling: Callable[..., Path], draw: Callable[..., Figure]) -> None:
     with pytest.raises(RunError, match="is of scenario 'rolling', this figure needs 'fretting'"):
         draw([brinell.open(make_rolling())])
+
+
+def warm(body: brinell.Body) -> brinell.Body:
+    return replace(body, material=replace(body.material, thermal=brinell.Thermal.carbon_steel()))
+
+
+def test_slip_heats_both_bodies() -> None:
+    run = fretting(
+        lower=warm(FLAT), upper=warm(BALL), displacement="4 um", frequency="1 kHz", cycles=2, thermal={"partition": 0.3}
+    ).run(in_memory=True)
+    history = run.history
+    assert history["max_temperature_lower"].max() > 23.0  # from 20 degC
+    heat = history["dissipation_friction"][-1]
+    assert history["heat_lower"][-1] == pytest.approx(0.3 * heat)
+    assert history["heat_upper"][-1] == pytest.approx(0.7 * heat)
+    figure = brinell.plot.surface_temperatures(run)
+    assert figure is not None
+    axes = figure.axes[0]
+    assert axes.get_xlabel() == "cycles done"
+    line = axes.lines[0]
+    assert line.get_xdata()[[0, 1, -1]] == pytest.approx([-1 / 16, 0.0, 2.0])
+    assert line.get_ydata() == pytest.approx(history["max_temperature_lower"])
+    plt.close("all")
+
+
+def test_heat_of_slip_needs_a_frequency() -> None:
+    with pytest.raises(InputError, match="frequency is missing: .* allowed: a frequency > 0"):
+        fretting(lower=warm(FLAT), upper=warm(BALL)).run(in_memory=True)

@@ -38,6 +38,11 @@ std::vector<double> depths_of(const VolumeGrid& volume)
   return depths;
 }
 
+halfspace::SurfaceDisplacement all_of(BodyHeat::Displacement& displacement)
+{
+  return {displacement[0], displacement[1], displacement[2]};
+}
+
 /// Layers in which plastic work becomes heat.
 halfspace::HeatedLayers heated_layers(const VolumeGrid& volume, const constitutive::Material& material,
                                       const HeatSettings& settings)
@@ -77,9 +82,11 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
     if (heated.count > 0)
       plastic_.emplace(grid_, run.settings.of_plastic_work);
   }
-  for (std::vector<double>* field :
-       {&remaining_temperature_, &remaining_displacement_, &displacement_, &displacement_before_, &pressure_})
+  for (std::vector<double>* field : {&remaining_temperature_, &normal_before_, &pressure_})
     field->assign(grid_.size(), 0.0);
+  for (std::size_t part = 0; part < (numerics.along_surface ? 3u : 1u); ++part)
+    for (Displacement* displacement : {&remaining_displacement_, &displacement_})
+      (*displacement)[part].assign(grid_.size(), 0.0);
   if (is_stressed_)
     stress_.assign(Deviator::size * volume.size(), 0.0);
 }
@@ -104,7 +111,7 @@ void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatM
   {
     field_->remaining_temperature(motion.duration, remaining_temperature_);
     if (swells_)
-      field_->displacement({remaining_displacement_, {}, {}}, motion.duration);
+      field_->displacement(all_of(remaining_displacement_), motion.duration);
   }
   if (plastic_)
     field_->add_temperature_of_body(remaining_temperature_);
@@ -138,11 +145,11 @@ void BodyHeat::settle(std::span<const double> flux)
   }
   if (!swells_)
     return;
-  displacement_before_ = displacement_;
+  normal_before_ = displacement_[0];
   if (steady_)
-    steady_->displacement(displacement_);
+    steady_->displacement(displacement_[0]);
   else
-    field_->displacement({displacement_, {}, {}});
+    field_->displacement(all_of(displacement_));
 }
 
 void BodyHeat::restore()
@@ -229,7 +236,7 @@ double BodyHeat::work_against(std::span<const double> pressure)
 {
   double work = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i)
-    work -= 0.5 * (pressure_[i] + pressure[i]) * (displacement_[i] - displacement_before_[i]);
+    work -= 0.5 * (pressure_[i] + pressure[i]) * (displacement_[0][i] - normal_before_[i]);
   pressure_.assign(pressure.begin(), pressure.end());
   return work * grid_.cell_area();
 }
@@ -240,7 +247,12 @@ void BodyHeat::exchange(Archive& archive)
     archive("steady", *steady_);
   else
     archive("field", *field_);
-  archive("displacement", displacement_);
+  archive("displacement", displacement_[0]);
+  if (!displacement_[1].empty())
+  {
+    archive("displacement_x", displacement_[1]);
+    archive("displacement_y", displacement_[2]);
+  }
   archive("pressure", pressure_);
   if (plastic_)
     archive("plastic", *plastic_);

@@ -7,6 +7,7 @@
 #include "plastic_heat.hpp"
 #include "steady_heat.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,11 +46,14 @@ public:
   /// Returns to the state before the current step.
   void restore();
 
+  /// Displacement of the surface along z (positive into the body), x and y on the thermal grid [m]; x and y are empty if they are
+  /// not needed.
+  using Displacement = std::array<std::vector<double>, 3>;
   /// Temperature rise and displacement at the end of the current step due to earlier steps, on the thermal grid.
   [[nodiscard]] const std::vector<double>& remaining_temperature() const { return remaining_temperature_; }
-  [[nodiscard]] const std::vector<double>& remaining_displacement() const { return remaining_displacement_; }
-  /// Thermal displacement at the end of the last step, on the thermal grid [m].
-  [[nodiscard]] const std::vector<double>& displacement() const { return displacement_; }
+  [[nodiscard]] const Displacement& remaining_displacement() const { return remaining_displacement_; }
+  /// Thermal displacement at the end of the last step.
+  [[nodiscard]] const Displacement& displacement() const { return displacement_; }
   /// Thermal stress at the end of the current step, on the material grid [Pa]; empty if it is not needed.
   [[nodiscard]] const std::vector<double>& stress() const { return stress_; }
   /// Factors on the yield stress at the end of the current step, on the material grid; empty if they are not needed.
@@ -80,8 +84,10 @@ private:
   bool is_expected_applied_ = false;               ///< whether field_ includes the expected flux of the current step
   halfspace::HeatMotion motion_{};
   std::vector<double> expected_;
-  std::vector<double> remaining_temperature_, remaining_displacement_, stress_, softening_, buffer_;
-  std::vector<double> displacement_, displacement_before_, pressure_; ///< at the end of the last step
+  std::vector<double> remaining_temperature_, stress_, softening_, buffer_;
+  Displacement remaining_displacement_;
+  Displacement displacement_;                    ///< at the end of the last step
+  std::vector<double> normal_before_, pressure_; ///< normal displacement before the last step, pressure at its end
 };
 
 /// Copies a field to another grid with the same centre and the same cells; zero outside the first grid.

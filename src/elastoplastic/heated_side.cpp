@@ -44,12 +44,16 @@ Place on_thermal_grid(const SurfaceGrid& heat, const SurfaceGrid& body, const Pl
 } // namespace
 
 HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material& material,
-                       std::shared_ptr<BodyHeat> heat, bool is_mirrored, std::optional<double> reference)
-    : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference)
+                       std::shared_ptr<BodyHeat> heat, bool is_mirrored, std::optional<double> reference,
+                       bool along_surface)
+    : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference),
+      along_surface_(along_surface)
 {
-  for (std::vector<double>* field :
-       {&remaining_displacement_, &own_displacement_, &share_, &flux_, &last_share_, &share_before_})
+  for (std::vector<double>* field : {&share_, &flux_, &last_share_, &share_before_})
     field->assign(contact.size(), 0.0);
+  for (std::size_t part = 0; part < parts(); ++part)
+    for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
+      (*displacement)[part].assign(contact.size(), 0.0);
   remaining_.assign(contact.size(), material.temperature);
   temperature_ = remaining_;
 }
@@ -65,6 +69,25 @@ std::vector<double> HeatedSide::on_contact(const std::vector<double>& thermal_fi
       std::reverse(row, row + rows.nx);
   elastoplastic::add_depth(rows, fitted, {}, place, contact_, out);
   return out;
+}
+
+/// Interpolates a displacement of the thermal grid to the contact grid.
+void HeatedSide::set_from(const Displacement& thermal_field, Displacement& on_contact_grid) const
+{
+  for (std::size_t part = 0; part < parts(); ++part)
+    on_contact_grid[part] = on_contact(thermal_field[part], place_);
+  if (is_mirrored_ && along_surface_)
+    for (double& along_x : on_contact_grid[1])
+      along_x = -along_x;
+}
+
+/// Displacement at the end of the step by a flux [W/m^2] in the step.
+void HeatedSide::respond(std::span<const double> flux, Displacement& out)
+{
+  for (std::size_t part = 0; part < parts(); ++part)
+    out[part].assign(flux.size(), 0.0);
+  if (!is_zero(flux))
+    responses().displacement->apply(flux, {out[0], out[1], out[2]}, responses().displacement_scratch);
 }
 
 /// Transfers a flux or pressure from the contact grid to the thermal grid, conserving its sum.
@@ -107,7 +130,8 @@ HeatedSide::Responses& HeatedSide::responses()
   halfspace::ThermalResponse::Scratch displacement_scratch;
   if (swells())
   {
-    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_);
+    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_,
+                         along_surface_ ? halfspace::Displacements::all : halfspace::Displacements::normal);
     displacement_scratch = displacement->make_scratch();
   }
   cached_responses_.push_front({motion_, std::move(temperature), std::move(displacement),
@@ -143,9 +167,11 @@ void HeatedSide::impose(std::span<const double> flux)
   std::transform(remaining_.begin(), remaining_.end(), response.begin(), remaining_.begin(), std::plus<>());
   if (!swells())
     return;
-  responses().displacement->apply(flux, response, responses().displacement_scratch);
-  std::transform(remaining_displacement_.begin(), remaining_displacement_.end(), response.begin(),
-                 remaining_displacement_.begin(), std::plus<>());
+  Displacement displacement;
+  respond(flux, displacement);
+  for (std::size_t part = 0; part < parts(); ++part)
+    std::transform(remaining_displacement_[part].begin(), remaining_displacement_[part].end(),
+                   displacement[part].begin(), remaining_displacement_[part].begin(), std::plus<>());
 }
 
 void HeatedSide::begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool is_fed,
@@ -170,7 +196,7 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
   for (double& t : remaining_)
     t += material_.temperature;
   if (swells())
-    remaining_displacement_ = on_contact(heat_->remaining_displacement(), place_);
+    set_from(heat_->remaining_displacement(), remaining_displacement_);
   impose(imposed_);
   set_share(is_new ? none : last_share_);
 }
@@ -189,14 +215,12 @@ double HeatedSide::set_share(std::span<const double> flux)
   flux_ = with_imposed(share_);
   if (!swells())
     return 0.0;
-  const std::vector<double> before = own_displacement_;
-  if (is_zero(flux))
-    own_displacement_.assign(share_.size(), 0.0);
-  else
-    responses().displacement->apply(share_, own_displacement_, responses().displacement_scratch);
+  const Displacement before = own_displacement_;
+  respond(flux, own_displacement_);
   double change = 0.0;
-  for (std::size_t i = 0; i < before.size(); ++i)
-    change = larger(change, std::abs(own_displacement_[i] - before[i]));
+  for (std::size_t part = 0; part < parts(); ++part)
+    for (std::size_t i = 0; i < before[part].size(); ++i)
+      change = larger(change, std::abs(own_displacement_[part][i] - before[part][i]));
   return change;
 }
 
@@ -205,7 +229,36 @@ void HeatedSide::add_displacement(std::span<double> gap) const
   if (!swells())
     return;
   for (std::size_t i = 0; i < gap.size(); ++i)
-    gap[i] += remaining_displacement_[i] + own_displacement_[i];
+    gap[i] += remaining_displacement_[0][i] + own_displacement_[0][i];
+}
+
+void HeatedSide::add_along(std::size_t axis, std::span<double> out) const
+{
+  if (!swells() || !along_surface_)
+    return;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] += remaining_displacement_[1 + axis][i] + own_displacement_[1 + axis][i];
+}
+
+/// The displacement of the field and that of the last trial differ by the errors of both. Slip is the sum of the changes in all
+/// steps, so that points that stay under the contact grid continue from the trial: the difference would add up.
+void HeatedSide::recall(const VolumeGrid& body, const Place& place, double columns)
+{
+  if (!swells())
+    return;
+  place_ = on_thermal_grid(heat_->grid(), body.surface, place);
+  set_from(heat_->displacement(), remaining_displacement_);
+  for (std::vector<double>& part : own_displacement_)
+    std::fill(part.begin(), part.end(), 0.0);
+  const int moved = static_cast<int>(std::lround(columns)), nx = contact_.nx;
+  for (std::size_t axis = 0; axis < 2 && !along_at_end_[axis].empty(); ++axis)
+    for (int j = 0; j < contact_.ny; ++j)
+      for (int i = 0; i < nx; ++i)
+      {
+        const int before = contact_.is_periodic_x() ? ((i + moved) % nx + nx) % nx : i + moved;
+        if (before >= 0 && before < nx)
+          remaining_displacement_[1 + axis][contact_.index(i, j)] = along_at_end_[axis][contact_.index(before, j)];
+      }
 }
 
 void HeatedSide::settle()
@@ -216,6 +269,12 @@ void HeatedSide::settle()
   total_ += sum(flux_) * contact_.cell_area() * duration_;
   if (!conducts())
     return;
+  if (swells() && along_surface_)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      along_at_end_[axis].assign(share_.size(), 0.0);
+      add_along(axis, along_at_end_[axis]);
+    }
   find_rise(share_, temperature_);
   for (std::size_t i = 0; i < temperature_.size(); ++i)
     temperature_[i] += remaining_[i];
@@ -233,7 +292,7 @@ void HeatedSide::add_depth(const SurfaceGrid& body, const Place& place, std::spa
 {
   if (!swells())
     return;
-  const std::vector<double> depth = on_contact(heat_->displacement(), on_thermal_grid(heat_->grid(), body, place));
+  const std::vector<double> depth = on_contact(heat_->displacement()[0], on_thermal_grid(heat_->grid(), body, place));
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] += depth[i];
 }
@@ -246,6 +305,11 @@ void HeatedSide::exchange(Archive& archive)
   archive("share_before", share_before_);
   archive("duration", last_duration_);
   archive("total", total_);
+  if (swells() && along_surface_)
+  {
+    archive.list("along_x", along_at_end_[0]);
+    archive.list("along_y", along_at_end_[1]);
+  }
   share_ = last_share_;
   if (conducts() && !is_mirrored_)
     archive("heat", *heat_);
@@ -259,9 +323,12 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
     embed_field(contact_, field, contact, moved);
     field = std::move(moved);
   };
-  for (std::vector<double>* field :
-       {&remaining_displacement_, &own_displacement_, &share_, &flux_, &last_share_, &share_before_})
+  for (std::vector<double>* field : {&share_, &flux_, &last_share_, &share_before_})
     move(*field, 0.0);
+  for (std::size_t part = 0; part < parts(); ++part)
+    for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
+      move((*displacement)[part], 0.0);
+  along_at_end_ = {}; // the points that are new under the grid are known from the field only
   move(remaining_, material_.temperature);
   move(temperature_, material_.temperature);
   imposed_.clear();

@@ -4,6 +4,7 @@
 #include "brinell/halfspace/thermal_response.hpp"
 #include "heated_body.hpp"
 
+#include <array>
 #include <list>
 #include <memory>
 #include <optional>
@@ -19,8 +20,9 @@ class HeatedSide
 {
 public:
   /// @param heat  nullptr: the body does not conduct
+  /// @param along_surface  HeatNumerics::along_surface
   HeatedSide(const SurfaceGrid& contact, const constitutive::Material& material, std::shared_ptr<BodyHeat> heat,
-             bool is_mirrored, std::optional<double> reference);
+             bool is_mirrored, std::optional<double> reference, bool along_surface);
 
   [[nodiscard]] bool conducts() const { return heat_ != nullptr; }
   [[nodiscard]] bool is_mirrored() const { return is_mirrored_; }
@@ -53,6 +55,10 @@ public:
   /// Total flux of the current step [W/m^2]: share and imposed flux.
   [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
   void add_displacement(std::span<double> gap) const;
+  void add_along(std::size_t axis, std::span<double> out) const; ///< Heating::add_along
+  /// Heating::recall
+  /// @param columns  by which the contact grid moves on the body
+  void recall(const VolumeGrid& body, const Place& place, double columns);
   [[nodiscard]] const std::vector<double>& temperature() const { return temperature_; }
   [[nodiscard]] double total() const { return total_; } ///< heat since the start [J]
   void add_depth(const SurfaceGrid& body, const Place& place, std::span<double> out) const;
@@ -73,7 +79,11 @@ private:
   };
   [[nodiscard]] Responses& responses();
   [[nodiscard]] bool swells() const { return conducts() && heat_->swells(); }
+  using Displacement = BodyHeat::Displacement;
   [[nodiscard]] std::vector<double> on_contact(const std::vector<double>& thermal_field, const Place& place) const;
+  [[nodiscard]] std::size_t parts() const { return along_surface_ ? 3 : 1; }
+  void set_from(const Displacement& thermal_field, Displacement& on_contact_grid) const;
+  void respond(std::span<const double> flux, Displacement& out);
   [[nodiscard]] std::vector<double> expected_share(double duration) const;
   void impose(std::span<const double> flux);
   [[nodiscard]] std::vector<double> with_imposed(std::vector<double> share) const;
@@ -83,14 +93,17 @@ private:
   std::shared_ptr<BodyHeat> heat_;
   bool is_mirrored_;
   std::optional<double> reference_;       ///< reference distance of the displacement by a stationary steady flux [m]
+  bool along_surface_;                    ///< whether the displacement along the surface is needed
   halfspace::HeatMotion motion_{};        ///< of the current step
   std::list<Responses> cached_responses_; ///< cache, most recently used first
   Place place_{};                         ///< of the contact grid on the thermal grid
   double duration_ = 0.0;
-  std::vector<double> remaining_, remaining_displacement_, own_displacement_, share_, flux_;
+  std::vector<double> remaining_, share_, flux_;
+  Displacement remaining_displacement_, own_displacement_; ///< on the contact grid; only the `parts` are filled
   std::vector<double> imposed_; ///< flux from outside in the current step [W/m^2]; empty: none
   // At the end of the last step
   std::vector<double> temperature_, last_share_, share_before_;
+  std::array<std::vector<double>, 2> along_at_end_; ///< displacement along x and y [m]; empty: not known on this grid
   double last_duration_ = 0.0, total_ = 0.0;
 };
 

@@ -54,8 +54,9 @@ std::array<HeatedSide, 2> sides_of(const SurfaceGrid& contact, const HeatingPlan
   const std::shared_ptr<BodyHeat> lower = heat_of(bodies[0]);
   const bool is_twin = plan.twin != Twin::none;
   const std::optional<double>& reference = plan.run.settings.reference;
-  return {HeatedSide(contact, bodies[0].material, lower, false, reference),
-          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1]), is_twin, reference)};
+  const bool along = plan.numerics.along_surface;
+  return {HeatedSide(contact, bodies[0].material, lower, false, reference, along),
+          HeatedSide(contact, bodies[1].material, is_twin ? lower : heat_of(bodies[1]), is_twin, reference, along)};
 }
 
 } // namespace
@@ -83,8 +84,7 @@ void Heating::begin(const Start& start)
 {
   State& s = *state_;
   s.duration = start.duration;
-  s.slid = start.slid;
-  s.shear_at_start.assign(start.shear_at_start.begin(), start.shear_at_start.end());
+  s.slides = start.slides;
   s.pressure_before.assign(start.pressure_before.begin(), start.pressure_before.end());
   s.is_source_on = start.is_source_on && s.settings.source.exists();
   s.touching.begin(s.contact.size());
@@ -92,21 +92,17 @@ void Heating::begin(const Start& start)
   {
     const bool is_heated = s.is_source_on && s.settings.source.is_on_body() && s.settings.source.side() == side;
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration,
-                        start.slid > 0.0 || s.is_source_between(),
+                        start.slides || s.is_source_between(),
                         is_heated ? std::span<const double>(s.imposed) : std::span<const double>());
   }
 }
 
-double Heating::follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing)
+double Heating::follow(std::span<const double> pressure, std::span<const double> heat_per_area, Sharing sharing)
 {
   State& s = *state_;
   if (s.duration == 0.0)
     return 0.0;
-  // Mean of the shear at the beginning and at the end of the increment: second order in the step.
-  const double factor = 0.5 * s.settings.fraction * s.slid / s.duration;
-  std::vector<double> heat(pressure.size());
-  for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = factor * (std::abs(s.shear_at_start[i]) + std::abs(shear[i]));
+  std::vector<double> heat = s.power_of(heat_per_area);
   static_cast<void>(s.add_source_between(pressure, heat));
   return s.share_flux(heat, pressure, sharing);
 }
@@ -116,23 +112,46 @@ bool Heating::is_steady() const
   return state_->settings.regime == HeatRegime::steady;
 }
 
+void Heating::recall(const std::array<VolumeGrid, 2>& grids, const std::array<Place, 2>& places,
+                     const std::array<double, 2>& columns)
+{
+  State& s = *state_;
+  for (std::size_t side = 0; side < 2; ++side)
+    s.sides[side].recall(grids[side], places[side], columns[side]);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    s.along_before[axis] = s.relative_displacement(axis);
+}
+
+void Heating::add_along(std::size_t side, std::size_t axis, std::span<double> out) const
+{
+  state_->sides.at(side).add_along(axis, out);
+}
+
+double Heating::work_of_shears(const std::array<std::span<const double>, 2>& shears) const
+{
+  double work = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (!shears[axis].empty())
+      work += dot(shears[axis], state_->relative_displacement(axis));
+  return work * state_->contact.cell_area();
+}
+
 void Heating::add_to_gap(std::span<double> gap) const
 {
   for (const HeatedSide& side : state_->sides)
     side.add_displacement(gap);
 }
 
-void Heating::settle(std::span<const double> pressure, std::span<const double> heat_per_area)
+void Heating::settle(std::span<const double> pressure, std::span<const double> heat_per_area,
+                     const std::array<std::span<const double>, 2>& shears)
 {
   State& s = *state_;
   if (s.duration == 0.0)
     return;
-  std::vector<double> heat(heat_per_area.size());
-  for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = s.settings.fraction * heat_per_area[i] / s.duration;
+  std::vector<double> heat = s.power_of(heat_per_area);
   const double total = sum(heat) * s.duration * s.contact.cell_area();
   s.heat_of_friction += total;
-  if (is_steady() && s.slid == 0.0)
+  if (is_steady() && !s.slides)
   {
     // Without sliding, heat comes only from work that the deformation returns; it is counted, but is not a steady source.
     s.add_heat_without_flux(total);
@@ -148,7 +167,8 @@ void Heating::settle(std::span<const double> pressure, std::span<const double> h
     side.settle();
   for (HeatedSide& side : s.sides)
     if (side.conducts() && !side.is_mirrored())
-      s.work_on_pressure += s.copies * side.heat().work_against(side.on_body(pressure, "pressure"));
+      s.work_on_tractions += s.copies * side.heat().work_against(side.on_body(pressure, "pressure"));
+  s.work_on_tractions += s.work_along(shears);
 }
 
 bool Heating::takes_work(std::size_t side) const
@@ -219,9 +239,9 @@ double Heating::heat_of_plastic_work() const
   return heat;
 }
 
-double Heating::work_on_pressure() const
+double Heating::work_on_tractions() const
 {
-  return state_->work_on_pressure;
+  return state_->work_on_tractions;
 }
 
 int Heating::most_held_cells() const
@@ -260,7 +280,7 @@ void Heating::exchange(Archive& archive)
   archive("upper", s.sides[1]);
   archive("heat_of_friction", s.heat_of_friction);
   archive("heat_of_source", s.heat_of_source);
-  archive("work_on_pressure", s.work_on_pressure);
+  archive("work_on_tractions", s.work_on_tractions);
   archive("most_held_cells", s.most_held, 0, std::numeric_limits<int>::max() - 1);
   archive("heat_passed", s.heat_passed);
   archive("heat_of_held", s.heat_of_held);

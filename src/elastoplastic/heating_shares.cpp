@@ -72,7 +72,7 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
 /// include the way back to the start of the track, during which no heat passes between them.
 bool Heating::State::is_parted(std::span<const double> pressure) const
 {
-  return slid == 0.0 && std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0.0; });
+  return !slides && std::all_of(pressure.begin(), pressure.end(), [](double p) { return p == 0.0; });
 }
 
 /// Partitions the heat between the bodies and sets their fluxes.
@@ -117,6 +117,42 @@ void Heating::State::add_heat_without_flux(double heat)
   const double lower = !sides[1].conducts() ? 1.0 : sides[0].conducts() ? settings.share() : 0.0;
   sides[0].add_heat_without_flux(lower * heat);
   sides[1].add_heat_without_flux((1.0 - lower) * heat);
+}
+
+/// Flux of heat into both bodies together [W/m^2], from the friction work per area of the increment [J/m^2].
+std::vector<double> Heating::State::power_of(std::span<const double> heat_per_area) const
+{
+  std::vector<double> flux(heat_per_area.size());
+  for (std::size_t i = 0; i < flux.size(); ++i)
+    flux[i] = settings.fraction * heat_per_area[i] / duration;
+  return flux;
+}
+
+/// Thermal displacement along the surface, lower minus upper body [m].
+std::vector<double> Heating::State::relative_displacement(std::size_t axis) const
+{
+  std::vector<double> upper(contact.size()), relative(contact.size());
+  sides[0].add_along(axis, relative);
+  sides[1].add_along(axis, upper);
+  for (std::size_t i = 0; i < relative.size(); ++i)
+    relative[i] -= upper[i];
+  return relative;
+}
+
+/// Work of the thermal displacement along the surfaces against the shear in the increment [J].
+/// @param shears  means of the increment [Pa]
+double Heating::State::work_along(const std::array<std::span<const double>, 2>& shears) const
+{
+  double work = 0.0;
+  for (std::size_t axis = 0; axis < shears.size(); ++axis)
+  {
+    if (shears[axis].empty())
+      continue;
+    const std::vector<double> now = relative_displacement(axis);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      work -= shears[axis][i] * (now[i] - along_before[axis][i]);
+  }
+  return work * contact.cell_area();
 }
 
 /// After the last partition of an increment: counts the cells that it held in contact, and the heat through them.

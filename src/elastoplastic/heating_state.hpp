@@ -39,12 +39,14 @@ struct Heating::State
   };
   std::list<BothResponses> cached_responses{}; ///< cache, most recently used first
   // Of the current increment
-  double duration = 0.0, slid = 0.0;
-  std::vector<double> shear_at_start{}, pressure_before{};
-  bool is_source_on = false; ///< whether a source acts
+  double duration = 0.0;
+  bool slides = false;
+  std::vector<double> pressure_before{};
+  std::array<std::vector<double>, 2> along_before{}; ///< relative displacement, lower minus upper, along x and y [m]
+  bool is_source_on = false;                         ///< whether a source acts
   TouchingCells touching{};
   // Since the start [J]
-  double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_pressure = 0.0;
+  double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_tractions = 0.0;
   int most_held = 0; ///< largest number of held cells in an increment
   double heat_passed = 0.0,
          heat_of_held = 0.0; ///< through the surfaces, and the part of it through held cells that are open
@@ -54,6 +56,9 @@ struct Heating::State
     return is_source_on && settings.source.shape == HeatSource::Shape::contact;
   }
   [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
+  [[nodiscard]] std::vector<double> power_of(std::span<const double> heat_per_area) const;
+  [[nodiscard]] std::vector<double> relative_displacement(std::size_t axis) const;
+  [[nodiscard]] double work_along(const std::array<std::span<const double>, 2>& shears) const;
   void add_heat_without_flux(double heat);
   void count_held();
   [[nodiscard]] bool is_parted(std::span<const double> pressure) const;

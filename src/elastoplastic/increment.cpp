@@ -281,13 +281,14 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     report.outgrown.contact_ends = true;
     return report;
   }
+  slid_ = strategy.slides ? strategy.slid : 0.0;
   if (interface_)
     begin_friction(placement, strategy, along);
   Rollback rollback(pressure_, gap_, sides_, interface_.get(), heating_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
   if (wear_)
-    begin_wear(strategy);
+    begin_wear();
   if (heating_)
     begin_heating(placement, strategy);
   IncrementReport report = iterate(distance, drive, placement, strategy);

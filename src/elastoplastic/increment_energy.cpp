@@ -39,8 +39,9 @@ double CoupledContact::energy(double approach) const
   if (twin_ != Twin::none)
     bodies *= 2.0;
   const double shear_energy = interface_ ? interface_->held_energy() : 0.0;
+  const double thermal_work = heating_ ? heating_->work_of_shears(interface_->shears()) : 0.0;
   const double wear_energy = wear_ ? wear_->held_energy(pressure_) : 0.0;
-  return bodies - pressure_energy() - work * grid().cell_area() + shear_energy + wear_energy;
+  return bodies - pressure_energy() - work * grid().cell_area() + shear_energy - thermal_work + wear_energy;
 }
 
 } // namespace brinell::elastoplastic

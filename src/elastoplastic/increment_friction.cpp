@@ -77,11 +77,12 @@ void CoupledContact::spread_shear(const Place& place, const SurfaceGrid& body, d
   }
 }
 
-/// Calls `use` with the data of both bodies that the interface needs.
+/// Calls `use` with the data of both bodies that the interface needs. Thermal displacement counts as residual displacement: it does
+/// not depend on the shear.
 template <typename Use>
 void CoupledContact::with_bodies(const Placement& placement, const Use& use) const
 {
-  const auto field = [&](std::vector<double> (BodyView::*of)() const)
+  const auto field = [&](std::vector<double> (BodyView::*of)() const, std::size_t axis)
   {
     std::array<std::vector<double>, 2> both{std::vector<double>(grid().size()), std::vector<double>(grid().size())};
     const auto add = [&](const BodyView& body, const Place& place, std::vector<double>& out)
@@ -91,20 +92,30 @@ void CoupledContact::with_bodies(const Placement& placement, const Use& use) con
     };
     add(lower(), placement.lower, both[0]);
     add(upper(), placement.upper, both[1]);
+    for (std::size_t side = 0; side < 2 && heating_; ++side)
+      heating_->add_along(side, axis, both[side]);
     return both;
   };
-  const auto x = field(&BodyView::residual_displacement_x);
-  const auto y = field(&BodyView::residual_displacement_y);
+  const auto x = field(&BodyView::residual_displacement_x, 0);
+  const auto y = field(&BodyView::residual_displacement_y, 1);
+  const std::array<double, 2> moved = columns_moved(placement);
+  use(Interface::Bodies{pressure_, x[0], x[1], y[0], y[1], moved[0], moved[1]});
+}
+
+/// Columns by which the contact grid moves on the lower and the upper body from the present placement to another one.
+std::array<double, 2> CoupledContact::columns_moved(const Placement& placement) const
+{
   const auto moved = [](const Place& now, const Place& before)
   { return (now.column - before.column) + (now.fraction - before.fraction); };
-  use(Interface::Bodies{pressure_, x[0], x[1], y[0], y[1], moved(placement.lower, placement_.lower),
-                        moved(placement.upper, placement_.upper)});
+  return {moved(placement.lower, placement_.lower), moved(placement.upper, placement_.upper)};
 }
 
 void CoupledContact::begin_friction(const Placement& placement, const Strategy& strategy,
                                     const contact::TangentialDrive& along)
 {
   driven_along_ = interface_->direction(along);
+  if (heating_ && partial_slip() != nullptr)
+    heating_->recall({lower().grid(), upper().grid()}, {placement.lower, placement.upper}, columns_moved(placement));
   std::vector<double> limit = shear_limit(placement, driven_along_);
   with_bodies(placement,
               [&](const Interface::Bodies& bodies)

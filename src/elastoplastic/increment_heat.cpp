@@ -11,19 +11,15 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
 {
   // In the transient regime the heat accumulates, and its motion follows the placement by columns, so that each flux begins where
   // the previous one ended. A steady flux moves with the exact velocity of the contact.
-  const auto columns = [&](const Place& now, const Place& before, double moved)
-  {
-    if (strategy.is_put_down)
-      return 0.0;
-    return heating_->is_steady() ? moved / grid().dx : (now.column - before.column) + (now.fraction - before.fraction);
-  };
+  std::array<double, 2> columns{};
+  if (!strategy.is_put_down)
+    columns = heating_->is_steady() ? std::array{strategy.moved[0] / grid().dx, strategy.moved[1] / grid().dx}
+                                    : columns_moved(placement);
   heating_->begin({.grids = {lower().grid(), upper().grid()},
                    .places = {placement.lower, placement.upper},
-                   .columns = {columns(placement.lower, placement_.lower, strategy.moved[0]),
-                               columns(placement.upper, placement_.upper, strategy.moved[1])},
+                   .columns = columns,
                    .duration = strategy.duration,
-                   .slid = strategy.slid,
-                   .shear_at_start = sliding()->shear_at_start(),
+                   .slides = sliding() != nullptr ? strategy.slid > 0.0 : strategy.slides,
                    .pressure_before = pressure_,
                    .is_source_on = !strategy.returns});
   for (std::size_t side = 0; side < sides_.size() && strategy.duration > 0.0; ++side)
@@ -33,11 +29,13 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
   }
 }
 
-/// Computes the fluxes for the pressure of the trial.
-/// @returns the largest change of the gap by thermal displacement [m]
+/// Computes the fluxes for pressure and slip of the trial.
+/// @returns the largest change of the thermal displacement [m]
 double CoupledContact::follow_heat(Heating::Sharing sharing)
 {
-  return heating_->follow(pressure_, interface_->shears()[0], sharing);
+  const PartialSlip* partial = partial_slip();
+  return heating_->follow(pressure_, partial != nullptr ? partial->heat_of_trial() : sliding()->work_on_way(slid_),
+                          sharing);
 }
 
 void CoupledContact::settle_heating(const Strategy& strategy)
@@ -48,7 +46,11 @@ void CoupledContact::settle_heating(const Strategy& strategy)
       const Body& body = sides_[side].body;
       heating_->settle_work(side, body.work_of_increment(), body.grid());
     }
-  heating_->settle(pressure_, sliding()->heat_per_area(strategy.slid));
+  const PartialSlip* partial = partial_slip();
+  if (partial == nullptr)
+    return heating_->settle(pressure_, sliding()->heat_per_area(strategy.slid));
+  const std::array<std::vector<double>, 2> shears = partial->mean_shears();
+  heating_->settle(pressure_, partial->heat_of_increment(), {shears[0], shears[1]});
 }
 
 double CoupledContact::expansion_work() const
@@ -58,7 +60,7 @@ double CoupledContact::expansion_work() const
   double on_strain = 0.0;
   for (const Side& side : sides_)
     on_strain += side.body.state().thermal_work;
-  return heating_->work_on_pressure() + (twin_ == Twin::none ? 1.0 : 2.0) * on_strain;
+  return heating_->work_on_tractions() + (twin_ == Twin::none ? 1.0 : 2.0) * on_strain;
 }
 
 /// Adds the thermal stress of a body; for a twin the fields of the solved body are turned by the view.

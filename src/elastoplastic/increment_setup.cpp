@@ -21,7 +21,7 @@ std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, co
 std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const Elastic& lower, const Elastic& upper,
                                           const Sliding& sliding, double reference)
 {
-  if (sliding.sticks)
+  if (sliding.sticks && sliding.friction.coefficient > 0.0)
     return std::make_unique<PartialSlip>(contact, lower, upper, sliding.friction, reference);
   return std::make_unique<SlidingInterface>(contact, lower, upper, sliding.friction, sliding.direction, reference);
 }
@@ -61,10 +61,10 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
   if (has_friction || sliding.heat) // heat needs an interface, if need be without friction
     interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
-  if (sliding.heat && !sliding.sticks)
+  if (sliding.heat)
     heating_ = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
-        *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_});
+        *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_, partial_slip() != nullptr});
   if (sliding.wear.wears() && twin != Twin::none)
     throw InternalError("CoupledContact: bodies whose surfaces wear are not twins");
   if (sliding.wear.wears())

@@ -10,9 +10,8 @@ namespace brinell::elastoplastic
 
 /// For surfaces that slide everywhere the slip length is known at the start; for surfaces that may stick it follows from the
 /// solution.
-void CoupledContact::begin_wear(const Strategy& strategy)
+void CoupledContact::begin_wear()
 {
-  slid_ = strategy.slides ? strategy.slid : 0.0;
   wear_->begin(pressure_);
   if (partial_slip() == nullptr)
     static_cast<void>(follow_wear());

@@ -36,6 +36,7 @@ PartialSlip::PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const El
 {
   for (std::vector<double>* field : {&state_.heat,
                                      &state_.path,
+                                     &heat_of_increment_,
                                      &bound_before_,
                                      &bound_,
                                      &pressure_before_,

@@ -28,17 +28,45 @@ std::vector<double> PartialSlip::slipped() const
   return length;
 }
 
-/// A cell slips only while its shear is at the bound, along the shear at the end of the increment. The friction work uses the mean
-/// of the bounds at which slip begins and ends. A cell that sticks under a shear far below its bound begins to slip when the
-/// falling bound meets that shear: near the trailing edge of a rolling contact the bound may fall by most of its value in one step.
+/// Heat per area of a cell that slips [J/m^2]. It slips only while its shear is at the bound, along the shear at the end of the
+/// increment. The friction work uses the mean of the bounds at which slip begins and ends. A cell that sticks under a shear far
+/// below its bound begins to slip when the falling bound meets that shear: near the trailing edge of a rolling contact the bound
+/// may fall by most of its value in one step.
+double PartialSlip::heat_at(std::size_t cell) const
+{
+  const double size = std::hypot(state_.shear[0][cell], state_.shear[1][cell]);
+  const double along = (slip_[0][cell] * state_.shear[0][cell] + slip_[1][cell] * state_.shear[1][cell]) / size;
+  const double size_before = std::hypot(shear_before_[0][cell], shear_before_[1][cell]);
+  const double bound_of_onset = std::min(bound_before_[cell], std::max(size_before, bound_[cell]));
+  return 0.5 * (bound_of_onset + bound_[cell]) * along;
+}
+
+std::vector<double> PartialSlip::heat_of_trial() const
+{
+  std::vector<double> heat(bound_.size());
+  for (std::size_t i = 0; i < heat.size(); ++i)
+    if (slips_at(i))
+      heat[i] = heat_at(i);
+  return heat;
+}
+
+std::array<std::vector<double>, 2> PartialSlip::mean_shears() const
+{
+  std::array<std::vector<double>, 2> mean = state_.shear;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t i = 0; i < bound_.size(); ++i)
+      mean[axis][i] = 0.5 * (shear_before_[axis][i] + state_.shear[axis][i]);
+  return mean;
+}
+
 void PartialSlip::settle(const Bodies& bodies)
 {
   state_.sticking = state_.pressed = 0;
   int limited = 0;
+  std::fill(heat_of_increment_.begin(), heat_of_increment_.end(), 0.0);
   double beyond_trapezoid = 0.0; // heat beyond the work of the mean shear on the slip, as a sum over cells [J/m^2]
   for (std::size_t i = 0; i < bound_.size(); ++i)
   {
-    const double size = std::hypot(state_.shear[0][i], state_.shear[1][i]);
     const bool slips = slips_at(i);
     const bool is_pressed = bodies.pressure[i] > 0.0;
     state_.pressed += is_pressed ? 1 : 0;
@@ -46,12 +74,8 @@ void PartialSlip::settle(const Bodies& bodies)
     limited += slips && friction().coefficient * bodies.pressure[i] > start_.limit[i] ? 1 : 0;
     if (!slips)
       continue;
-    const double along = (slip_[0][i] * state_.shear[0][i] + slip_[1][i] * state_.shear[1][i]) / size;
-    const double size_before = std::hypot(shear_before_[0][i], shear_before_[1][i]);
-    const double bound_of_onset = std::min(bound_before_[i], std::max(size_before, bound_[i]));
-    const double heat = 0.5 * (bound_of_onset + bound_[i]) * along;
-    state_.heat[i] += heat;
-    state_.total_heat += heat * pair_.grid().cell_area();
+    const double heat = heat_at(i);
+    add_heat(i, heat);
     beyond_trapezoid += heat;
     for (std::size_t axis = 0; axis < 2; ++axis)
       beyond_trapezoid -= 0.5 * (shear_before_[axis][i] + state_.shear[axis][i]) * slip_[axis][i];
@@ -62,6 +86,13 @@ void PartialSlip::settle(const Bodies& bodies)
   state_.limited_share = state_.pressed > 0 ? static_cast<double>(limited) / state_.pressed : 0.0;
   add_parting_heat();
   add_work(carried_[0] == 0 && is_driven_ ? beyond_trapezoid * pair_.grid().cell_area() : 0.0);
+}
+
+void PartialSlip::add_heat(std::size_t cell, double heat)
+{
+  heat_of_increment_[cell] += heat;
+  state_.heat[cell] += heat;
+  state_.total_heat += heat * pair_.grid().cell_area();
 }
 
 /// Adds the work of the forces on the shifts, and of their moment on the spin.
@@ -116,8 +147,7 @@ void PartialSlip::add_parting_heat()
         const double work = slip[0] * shear_before_[0][i] + slip[1] * shear_before_[1][i];
         const double heat = std::max(0.0, 0.5 * work);
         state_.path[i] += std::hypot(slip[0], slip[1]);
-        state_.heat[i] += heat;
-        state_.total_heat += heat * grid.cell_area();
+        add_heat(i, heat);
       }
 }
 

@@ -198,11 +198,19 @@ void SlidingInterface::settle(const Bodies& bodies)
   state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
 }
 
+/// By the mean of the shear at the beginning and at the end of the increment: second order in the step.
+std::vector<double> SlidingInterface::work_on_way(double slid) const
+{
+  std::vector<double> work(state_.shear.size());
+  for (std::size_t i = 0; i < work.size(); ++i)
+    work[i] = 0.5 * slid * (std::abs(shear_at_start_[i]) + std::abs(state_.shear[i]));
+  return work;
+}
+
 std::vector<double> SlidingInterface::heat_per_area(double slid) const
 {
-  std::vector<double> heat(state_.shear.size());
-  for (std::size_t i = 0; i < heat.size(); ++i)
-    heat[i] = 0.5 * slid * (std::abs(shear_at_start_[i]) + std::abs(state_.shear[i])) - work_per_area_[i];
+  std::vector<double> heat = work_on_way(slid);
+  add(-1.0, work_per_area_, heat);
   return heat;
 }
 

@@ -3,6 +3,7 @@
 
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/error.hpp"
+#include "heat.hpp"
 #include "run_state.hpp"
 
 #include <algorithm>
@@ -35,6 +36,8 @@ public:
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
     setup.sliding = {.friction = case_.friction, .sticks = true, .wear = case_.wear};
+    if (is_heated(case_, case_.lower, case_.upper))
+      setup.sliding.heat = {case_.heat, heat_times()};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return {}; }
@@ -49,10 +52,13 @@ public:
       from_ = by_load() ? 0.0 : std::min(0.0, touch);
       previous_.approach = touch;
     }
-    const auto path = [this](double t) {
-      return Target{{}, {case_.press.kind, pressed(done_ + t)}, true, along(share(done_ + t))};
+    const auto path = [this](double t)
+    {
+      Target target{{}, {case_.press.kind, pressed(done_ + t)}, true, along(share(done_ + t))};
+      target.time = time(done_ + t);
+      target.is_put_down = done_ == 0;
+      return target;
     };
-    constexpr double finest = 1.0 / 64;
     const bool is_pressing = done_ < case_.press_steps;
     return {path, finest,
             is_pressing
@@ -161,6 +167,14 @@ private:
     std::vector<double> path_; ///< [m]
   };
 
+  static constexpr double finest =
+      1.0 / 64; ///< share of a step, of the shortest piece of a step that does not converge
+  /// Time since the start after a number of steps, which all take as long [s]; 0 without a frequency.
+  [[nodiscard]] double time(double steps) const
+  {
+    return case_.frequency ? steps / (case_.steps_per_cycle * *case_.frequency) : 0.0;
+  }
+  [[nodiscard]] halfspace::HeatTimes heat_times() const { return {time(0.5 * finest), time(steps_ + 1.0)}; }
   [[nodiscard]] bool by_load() const { return case_.press.kind == Drive::Kind::load; }
   [[nodiscard]] bool by_force() const { return case_.kind == FrettingCase::Kind::force; }
   /// Number of the cycle of the current step; 0 while pressing.

@@ -5,6 +5,7 @@
 #include "footprint.hpp"
 #include "friction.hpp"
 #include "grid_layout.hpp"
+#include "heat.hpp"
 #include "memory.hpp"
 #include "wear.hpp"
 
@@ -131,8 +132,8 @@ double sliding_displacement(const FrettingCase& fretting, double approach)
 bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
 {
   const bool is_along_x = std::abs(std::sin(fretting.direction)) < 1e-15;
-  return fretting.solver.mirror && !fretting.wear.wears() && is_along_x && !fretting.domain.x.is_periodic() &&
-         plan.lower == plan.upper && alike(fretting.lower, fretting.upper);
+  return fretting.solver.mirror && !fretting.wear.wears() && shares_alike(fretting) && is_along_x &&
+         !fretting.domain.x.is_periodic() && plan.lower == plan.upper && alike(fretting.lower, fretting.upper);
 }
 
 } // namespace
@@ -142,6 +143,14 @@ FrettingPlan plan(const FrettingCase& fretting)
   require_friction(fretting, fretting.lower, fretting.upper, "");
   require_press(fretting.press, fretting.press_steps);
   require_cycles(fretting);
+  require_heat(fretting, fretting.lower, fretting.upper,
+               {.speed = fretting.frequency,
+                .speed_key = "fretting.frequency",
+                .upper_rests = true,
+                .pressed_at_rest = true,
+                .sticks = true,
+                .name = "frequency",
+                .unit = "Hz"});
   // Without motion there is no shear that makes the bodies yield earlier.
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
@@ -153,6 +162,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   FrettingPlan plan;
   lay_out(fretting, f, 0.0, 0.0, plan);
   require_cells_in_periods(fretting.lower, fretting.upper, fretting.domain, plan.contact);
+  require_source_fits(fretting, plan.contact);
   plan.reference = reference_distance(fretting.lower.shape, fretting.upper.shape, fretting.domain);
   plan.contact_radius = f.half_x;
   plan.contact_radius_y = f.half_y;
@@ -160,8 +170,10 @@ FrettingPlan plan(const FrettingCase& fretting)
   plan.steps = step_count(fretting.press_steps + static_cast<double>(fretting.cycles) * fretting.steps_per_cycle,
                           "fretting.cycles");
   plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver,
-                                   fretting.friction.coefficient > 0.0 ? 2 : 0, nullptr);
+  const bool heats = is_heated(fretting, fretting.lower, fretting.upper);
+  const int shears = fretting.friction.coefficient > 0.0 ? 2 : (heats ? 1 : 0);
+  plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver, shears,
+                                   heats ? &fretting.heat : nullptr);
   return plan;
 }
 

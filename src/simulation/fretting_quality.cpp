@@ -58,7 +58,7 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   const bool is_thin = across && *across < fewest_across_ring;
   Documented slip{"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0, elastic};
   if (is_thin)
-    heat.further = slip.further = f.worn_depth.further = error_of_thin_ring(*across);
+    heat.further = slip.further = f.worn_depth.further = f.temperature_rise.further = error_of_thin_ring(*across);
   if (c.kind != FrettingCase::Kind::force)
     f.documented.push_back(
         {"largest force along the surface", "cycles[*].max_force_N", is_thin ? 0.01 : 0.005, 8.0, 1.0, elastic});
@@ -68,8 +68,14 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   f.documented.push_back(slip);
   f.slides =
       c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
-  if (!f.slides) // the rim of the contact wears most
+  if (c.frequency)
+    f.heating_time = 0.5 / *c.frequency;
+  f.while_heated = "in half a cycle";
+  if (!f.slides) // the rim of the contact wears most, and is heated alone
+  {
     f.worn_depth.error = 0.06;
+    f.temperature_rise.error = temperature_error_of_sticking;
+  }
   return f;
 }
 

@@ -146,6 +146,11 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
     throw KeyError("thermal.regime",
                    fmt::format("thermal.regime = \"steady\", but {}; allowed: {}, or \"transient\"", reason, allowed));
   };
+  if (motion.sticks)
+    refuse(
+        "in this regime the thermal displacement along the surfaces is not computed, on which their slip depends where "
+        "they stick in places",
+        "surfaces that slide everywhere");
   if (numerics.domain.x.is_periodic())
     refuse("along a periodic axis of the motion heat accumulates without limit", "an open axis along x");
   if (numerics.domain.y.is_periodic() && motion.upper_rests && upper.material.thermal)
@@ -192,14 +197,15 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     require_solid(name, body->material);
   if (speed && !(*speed > 0.0 && std::isfinite(*speed)))
-    throw KeyError(speed_key, fmt::format("{} = {:g} m/s; allowed: > 0", speed_key, *speed));
+    throw KeyError(speed_key, fmt::format("{} = {:g} {}; allowed: > 0", speed_key, *speed, motion.unit));
   require_source(numerics, lower, upper);
   if (!is_heated(numerics, lower, upper))
     return;
   if (!speed)
     throw KeyError(speed_key, fmt::format("{} is missing: with {} and the thermal constants of a body the heat "
-                                          "depends on it; allowed: a speed > 0, as \"1 m/s\"; or no thermal constants",
-                                          speed_key, numerics.heat.source.exists() ? "a heat source" : "friction"));
+                                          "depends on it; allowed: a {} > 0, as \"1 {}\"; or no thermal constants",
+                                          speed_key, numerics.heat.source.exists() ? "a heat source" : "friction",
+                                          motion.name, motion.unit));
   if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
     require_steady(numerics, lower, upper, motion);
   require_two_sides(numerics, lower.material, upper.material);

@@ -15,14 +15,17 @@ namespace brinell::simulation
 /// Motion of heated bodies.
 struct HeatedMotion
 {
-  std::optional<double> speed; ///< [m/s]
+  std::optional<double> speed; ///< or frequency: `unit`
   std::string speed_key;
   bool upper_rests =
       false; ///< the upper body does not move relative to the contact: its heat always enters at one place
   bool pressed_at_rest = false; ///< the bodies are pressed together before they move
+  bool sticks = false;          ///< the surfaces may stick in places
+  const char* name = "speed";
+  const char* unit = "m/s";
 };
 
-/// Checks the input of heat: it needs a speed, and thermal constants of every body that deforms.
+/// Checks the input of heat: it needs a speed or a frequency, and thermal constants of every body that deforms.
 /// @throws KeyError
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                   const HeatedMotion& motion);

@@ -34,10 +34,14 @@ struct Documented
   double further = 0.0; ///< further error, which depends neither on the cells nor on the steps
 };
 
+/// Documented::error of the temperature rise with 8 cells where surfaces stick in places: the heat arises in few cells at the rim.
+inline constexpr double temperature_error_of_sticking = 0.12;
+
 /// Facts about a run of any scenario that the rules need.
 struct Facts
 {
-  Documented temperature_rise{"temperature rise", "", 0.015, 8.0, 1.0, Documented::Of::elastic_contact, 0.2};
+  Documented temperature_rise{
+      "temperature rise", "", 0.015, 8.0, 1.0, Documented::Of::elastic_contact, 0.2}; ///< without sticking
   Documented worn_depth{"worn depth", "wear.max_depth_*_m", 0.015, 8.0, 1.0, Documented::Of::elastic_contact,
                         0.3}; ///< without sticking
   std::vector<Documented> documented;
@@ -61,8 +65,9 @@ struct Facts
   bool has_source = false; ///< of heat, other than friction
   bool wears = false;
   bool has_thermal_stress = false; ///< which is part of the yield condition
-  std::optional<double>
-      passing_time; ///< in which the contact passes a point of the body over which it moves faster [s]
+  /// In which a point is heated [s]: the contact passes it, on the body over which it moves faster; or half a cycle.
+  std::optional<double> heating_time;
+  const char* while_heated = "while the contact passes a point";
   double shear_limit = std::numeric_limits<double>::infinity(); ///< given [Pa]
   bool hardens = true;                                          ///< every surface that yields
   /// The surfaces slide everywhere in the contact, and do not stick anywhere.

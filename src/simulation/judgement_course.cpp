@@ -155,18 +155,18 @@ std::string hot_surface_text(const char* name, const constitutive::Material& mat
                      lacks_softening ? "; give the material a softening law, or reduce speed or load" : "");
 }
 
-/// Depth that the heat of a passing contact reaches, over the thickness of a layer of cells. None without thermal stress that would
+/// Depth that heat reaches while a point is heated, over the thickness of a layer of cells. None without thermal stress that would
 /// matter to yield: E alpha T/(1 - nu) of the largest rise of the temperature, of the skin of a body.
 std::optional<double> layers_of_hot_skin(const Facts& facts, const constitutive::Material& material, double rise)
 {
   constexpr double share_of_yield = 0.1;
-  if (!facts.has_thermal_stress || !facts.passing_time || !material.thermal || !material.is_plastic())
+  if (!facts.has_thermal_stress || !facts.heating_time || !material.thermal || !material.is_plastic())
     return std::nullopt;
   const double stress =
       material.elastic.young_modulus * material.thermal->expansion * rise / (1.0 - material.elastic.poisson_ratio);
   if (stress < share_of_yield * constitutive::initial_yield_stress(*material.hardening))
     return std::nullopt;
-  return std::sqrt(4.0 * material.thermal->diffusivity() * *facts.passing_time) / facts.cell[2];
+  return std::sqrt(4.0 * material.thermal->diffusivity() * *facts.heating_time) / facts.cell[2];
 }
 
 /// Layers of cells that the hot skin needs. With one, thermal yield at the surface is lost nearly whole, with two a third of its
@@ -199,10 +199,10 @@ void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warni
       warnings.push_back(
           {"thin_hot_skin",
            fmt::format(
-               "while the contact passes a point, heat reaches only {} into the {} body, {:.2g} layers of cells; "
+               "{}, heat reaches only {} into the {} body, {:.2g} layers of cells; "
                "at least {:g} are needed for its thermal stress, and the yield that follows from it: use thinner "
                "cells (grid.spacing)",
-               length_text(*layers * facts.cell[2]), name, *layers, fewest_layers_of_skin)});
+               facts.while_heated, length_text(*layers * facts.cell[2]), name, *layers, fewest_layers_of_skin)});
     if (!material.softening)
       continue;
     if (const auto melting = constitutive::melting_temperature(*material.softening); melting && hottest >= *melting)

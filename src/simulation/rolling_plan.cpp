@@ -101,11 +101,11 @@ RollingPlan plan(const RollingCase& rolling)
                                            "or rolling.slide_to_roll instead of rolling.creepage and rolling.spin"
                                          : why_not);
   require_heat(rolling, rolling.lower, rolling.upper,
-               {rolling.speed, "rolling.speed", rolling.slide_to_roll == 2.0, true});
-  if (rolling.creepage && is_heated(rolling, rolling.lower, rolling.upper))
-    throw KeyError("rolling.creepage", "rolling.creepage or rolling.spin with thermal constants: the heat of surfaces "
-                                       "that stick in places is not computed; allowed: rolling.slide_to_roll instead "
-                                       "of rolling.creepage and rolling.spin, or no thermal constants");
+               {.speed = rolling.speed,
+                .speed_key = "rolling.speed",
+                .upper_rests = rolling.slide_to_roll == 2.0,
+                .pressed_at_rest = true,
+                .sticks = rolling.creepage.has_value()});
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f =

@@ -85,11 +85,13 @@ Facts facts(const RollingCase& c, const RollingPlan& plan, const std::vector<Rol
   f.documented = documented_of_passes(c, plan, f.is_plane, passes);
   f.moves = true;
   f.slides = !c.creepage && c.slide_to_roll != 0.0;
+  if (c.creepage)
+    f.temperature_rise.error = temperature_error_of_sticking;
   // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
     f.shift = faster;
   if (c.speed)
-    f.passing_time = 2.0 * f.half_x / (*c.speed * std::max(1.0, upper_share(c)));
+    f.heating_time = 2.0 * f.half_x / (*c.speed * std::max(1.0, upper_share(c)));
   return f;
 }
 

@@ -285,7 +285,7 @@ Facts facts(const SlidingCase& c, const SlidingPlan& plan, const SlidingSummary*
   if (c.shift)
     f.shift = plan.shift;
   if (c.speed)
-    f.passing_time = 2.0 * f.half_x / *c.speed;
+    f.heating_time = 2.0 * f.half_x / *c.speed;
   return f;
 }
 

@@ -291,7 +291,7 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* tota
   if (c.shift)
     f.shift = plan.shift;
   if (c.speed)
-    f.passing_time = 2.0 * f.half_x / (0.5 * *c.speed);
+    f.heating_time = 2.0 * f.half_x / (0.5 * *c.speed);
   return f;
 }
 

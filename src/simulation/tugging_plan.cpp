@@ -249,7 +249,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 TuggingPlan plan(const TuggingCase& tugging)
 {
   require_friction(tugging, tugging.lower, tugging.upper, "");
-  require_heat(tugging, tugging.lower, tugging.upper, {tugging.speed, "tugging.speed"});
+  require_heat(tugging, tugging.lower, tugging.upper, {.speed = tugging.speed, .speed_key = "tugging.speed"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);

@@ -28,6 +28,20 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(text.find(what), what.size(), by);
 }
 
+/// Both bodies with friction and thermal constants.
+std::string warm(const std::string& text, const std::string& upper_expansion)
+{
+  const auto steel = [](const std::string& expansion)
+  {
+    return "poisson_ratio = 0.3, thermal = {conductivity = \"50 W/(m K)\", density = 7800, specific_heat = 470, "
+           "expansion = " +
+           expansion + "}";
+  };
+  const std::string lower = replaced(text, "poisson_ratio = 0.3,", steel("12e-6") + ",");
+  return replaced(replaced(lower, "poisson_ratio = 0.3}", steel(upper_expansion) + "}"), "[grid]",
+                  "[interface]\nfriction = 0.3\n[grid]");
+}
+
 std::string scenario_case(const std::string& scenario)
 {
   if (scenario == "indentation")
@@ -47,14 +61,12 @@ std::string scenario_case(const std::string& scenario)
                         std::string(bodies),
                     "resolution = 3", "resolution = 4\nextent = 0.5");
   if (scenario == "heated") // by friction and by plastic work
-  {
-    const std::string steel = "poisson_ratio = 0.3, thermal = {conductivity = \"50 W/(m K)\", density = 7800, "
-                              "specific_heat = 470, expansion = 12e-6}";
-    std::string spheres = replaced(bodies, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\"");
-    spheres = replaced(replaced(spheres, "poisson_ratio = 0.3,", steel + ","), "poisson_ratio = 0.3}", steel + "}");
     return "scenario = \"tugging\"\n[tugging]\ninterference = 6\npasses = 2\nspeed = \"1 m/s\"\n" +
-           replaced(spheres, "[grid]", "[interface]\nfriction = 0.3\n[grid]");
-  }
+           warm(replaced(bodies, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\""), "12e-6");
+  if (scenario == "creeping") // they stick in places, and expand along each other
+    return "scenario = \"rolling\"\n[rolling]\nload = \"20 N\"\ndistance = \"0.3 mm\"\nload_steps = 3\n"
+           "creepage = [0.004, 0.001]\nspeed = \"5 m/s\"\n" +
+           warm(bodies, "30e-6");
   const std::string drive = scenario == "loaded" ? "load = 8" : "interference = 4";
   const std::string text = "scenario = \"tugging\"\n[tugging]\n" + drive + "\npasses = 2\n" + std::string(bodies);
   return replaced(text, "type = \"flat\"", "type = \"sphere\", radius = \"1 mm\"");
@@ -171,7 +183,8 @@ TEST_P(Resume, OnlyTheSameCaseThatIsNotComplete)
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Resume,
-                         testing::Values("tugging", "loaded", "indentation", "rolling", "sliding", "growing", "heated"),
+                         testing::Values("tugging", "loaded", "indentation", "rolling", "sliding", "growing", "heated",
+                                         "creeping"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 class ResumeEveryScenario : public Stopping, public testing::WithParamInterface<std::string>

@@ -48,7 +48,7 @@ double heat_passed(double conductance, double warmer, double duration, int steps
   const std::vector<double> pressure(grid.size(), 1.0), none(grid.size(), 0.0);
   for (int n = 0; n < steps; ++n)
   {
-    heating.begin({.grids = {volume, volume}, .places = {}, .columns = {}, .duration = step, .shear_at_start = none});
+    heating.begin({.grids = {volume, volume}, .places = {}, .columns = {}, .duration = step});
     static_cast<void>(heating.follow(pressure, none, Heating::Sharing::fine));
     heating.settle(pressure, none);
   }

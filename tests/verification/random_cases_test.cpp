@@ -236,6 +236,16 @@ TEST(RandomCases, HotSkiddingConvergesAndBalances)
   sweep("rolling with slip and heat", slow_build ? 3 : 40, random_hot_skidding);
 }
 
+TEST(RandomCases, HotCreepingConvergesAndBalances)
+{
+  sweep("rolling with creepage and heat", slow_build ? 3 : 40, random_hot_creeping);
+}
+
+TEST(RandomCases, HotFrettingConvergesAndBalances)
+{
+  sweep("fretting with heat", slow_build ? 3 : 40, random_hot_fretting);
+}
+
 TEST(RandomCases, RollingConvergesAndBalances)
 {
   sweep("rolling", slow_build ? 10 : 110, random_rolling);

@@ -256,34 +256,45 @@ simulation::RollingCase random_creeping(Draw& draw)
 namespace
 {
 
-/// Constants and a speed with Peclet numbers of 0.05 to 30. Each surface expands by up to a third of the approach, and the heat
-/// stresses it by up to twice its yield stress.
+/// Adds constants, and returns a speed with Peclet numbers of 0.05 to 30 [m/s]. Each surface expands by up to a third of the
+/// approach, and the heat stresses it by up to twice its yield stress.
 /// @param radius, approach  of the contact [m]
+/// @param sliding           sliding speed over the speed
+/// @param sticks            the heat of slip then expands the surfaces by less than the slip, as that of all solids does: otherwise
+///                          slip grows without limit by its own heat
 template <typename Scenario>
-void add_heat(Draw& draw, Scenario& c, double radius, double approach)
+double add_heat(Draw& draw, Scenario& c, double radius, double approach, double sliding, bool sticks)
 {
+  std::optional<double> speed;
   const double pressure = 0.5 * contact_modulus(c.lower.material.elastic, c.upper.material.elastic) * approach / radius;
   for (simulation::ShapedBody* body : {&c.lower, &c.upper})
   {
     const Material& m = body->material;
     Thermal thermal{draw.power_of_ten(-1.0, 2.0), draw.power_of_ten(3.0, 4.0), draw.power_of_ten(2.0, 3.3), 0.0};
-    if (!c.speed)
-      c.speed = 2.0 * thermal.diffusivity() * draw.power_of_ten(-1.3, 1.5) / radius;
-    const double peclet = 0.5 * *c.speed * radius / thermal.diffusivity();
-    const double rise =
-        c.friction.coefficient * pressure * *c.speed * radius / (thermal.conductivity * (1.0 + std::sqrt(peclet)));
+    if (!speed)
+      speed = 2.0 * thermal.diffusivity() * draw.power_of_ten(-1.3, 1.5) / radius;
+    const double peclet = 0.5 * *speed * radius / thermal.diffusivity();
+    const double rise = c.friction.coefficient * pressure * sliding * *speed * radius /
+                        (thermal.conductivity * (1.0 + std::sqrt(peclet)));
     double strain = draw.between(0.0, 0.3) * approach / radius;
     const double stress = draw.between(0.0, 2.0); // over the yield stress
     if (m.is_plastic())
       strain = std::min(strain, stress * initial_yield_stress(*m.hardening) * (1.0 - m.elastic.poisson_ratio) /
                                     m.elastic.young_modulus);
     thermal.expansion = strain / rise;
+    if (sticks)
+      thermal.expansion =
+          std::min(thermal.expansion, 0.1 * thermal.density * thermal.specific_heat /
+                                          (c.friction.coefficient * pressure * (1.0 + std::sqrt(peclet))));
     if (!m.elastic.is_rigid())
       body->material.thermal = thermal;
   }
   c.heat.of_plastic_work = draw.between(0.0, 1.0);
   if (draw.chance(0.3))
     c.heat.partition = draw.between(0.0, 1.0);
+  if (!c.lower.material.thermal || !c.upper.material.thermal)
+    c.heat.partition.reset();
+  return *speed;
 }
 
 } // namespace
@@ -292,7 +303,7 @@ TuggingCase random_hot_rubbing(Draw& draw)
 {
   TuggingCase t = random_rubbing(draw);
   const simulation::TuggingPlan plan = simulation::plan(t);
-  add_heat(draw, t, plan.elastic_contact_radius, plan.scales.gap);
+  t.speed = add_heat(draw, t, plan.elastic_contact_radius, plan.scales.gap, 1.0, false);
   return t;
 }
 
@@ -300,9 +311,16 @@ simulation::RollingCase random_hot_skidding(Draw& draw)
 {
   simulation::RollingCase c = random_skidding(draw);
   const simulation::RollingPlan plan = simulation::plan(c);
-  add_heat(draw, c, plan.half_width_x, plan.scales.gap);
-  if (c.upper.material.elastic.is_rigid())
-    c.heat.partition.reset();
+  c.speed = add_heat(draw, c, plan.half_width_x, plan.scales.gap, 1.0, false);
+  return c;
+}
+
+simulation::RollingCase random_hot_creeping(Draw& draw)
+{
+  simulation::RollingCase c = random_creeping(draw);
+  const simulation::RollingPlan plan = simulation::plan(c);
+  const double creepage = std::hypot(c.creepage->longitudinal, c.creepage->lateral);
+  c.speed = add_heat(draw, c, plan.half_width_x, plan.scales.gap, creepage, true);
   return c;
 }
 
@@ -352,6 +370,16 @@ simulation::FrettingCase random_fretting(Draw& draw)
         most / (std::numbers::pi * plan.contact_radius * plan.contact_radius_y) * draw.between(0.8, 1.6);
   if (draw.chance(0.3) && c.kind == simulation::FrettingCase::Kind::shift)
     c.press = {contact::Drive::Kind::approach, plan.scales.gap};
+  return c;
+}
+
+simulation::FrettingCase random_hot_fretting(Draw& draw)
+{
+  simulation::FrettingCase c = random_fretting(draw);
+  const simulation::FrettingPlan plan = simulation::plan(c);
+  const double speed = add_heat(draw, c, plan.contact_radius, plan.scales.gap, 1.0, true);
+  const bool by_force = c.kind == simulation::FrettingCase::Kind::force;
+  c.frequency = 0.25 * speed / (by_force ? 0.3 * plan.sliding_displacement : c.amplitude);
   return c;
 }
 

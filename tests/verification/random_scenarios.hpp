@@ -37,11 +37,13 @@ private:
 [[nodiscard]] simulation::RollingCase random_skidding(Draw& draw);
 /// Stick and slip with creepages from small ones to those at which all slips, in steps of one or two cells.
 [[nodiscard]] simulation::RollingCase random_creeping(Draw& draw);
-/// Tugging, and rolling with slip everywhere, with the heat of friction.
+/// With the heat of friction: tugging, and rolling with slip everywhere or with creepage.
 [[nodiscard]] simulation::TuggingCase random_hot_rubbing(Draw& draw);
 [[nodiscard]] simulation::RollingCase random_hot_skidding(Draw& draw);
+[[nodiscard]] simulation::RollingCase random_hot_creeping(Draw& draw);
 /// Stick and slip to and fro along any direction, from displacements far below that at which all slides to several times that,
 /// or by forces up to nearly that; some with a given limit of the shear.
 [[nodiscard]] simulation::FrettingCase random_fretting(Draw& draw);
+[[nodiscard]] simulation::FrettingCase random_hot_fretting(Draw& draw); ///< with the heat of friction
 
 } // namespace brinell::verification

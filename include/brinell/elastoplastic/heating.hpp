@@ -71,6 +71,7 @@ struct HeatNumerics
 {
   bool shortcuts = true;              ///< Settings::shortcuts
   Symmetry symmetry = Symmetry::none; ///< symmetry of all fluxes
+  bool along_surface = false;         ///< whether the thermal displacement along the surface is needed: partial slip
 };
 
 /// Heat of friction, of plastic work and from outside in two bodies: its partition, the temperatures, and the thermal displacement of the
@@ -99,8 +100,7 @@ public:
     std::array<Place, 2> places;     ///< position of the contact grid on them at the end of the increment
     std::array<double, 2> columns;   ///< columns that the contact grid (if `is_steady`: the contact) moves on them
     double duration = 0.0;           ///< [s]; 0: no heat is generated or conducted
-    double slid = 0.0;               ///< sliding distance of the undeformed surfaces [m], >= 0
-    std::span<const double> shear_at_start{}; ///< SlidingInterface::shear_at_start [Pa]
+    bool slides = false;             ///< whether the bodies slide or roll on each other
     std::span<const double>
         pressure_before{};    ///< at the beginning [Pa]; may be empty without a source between the surfaces
     bool is_source_on = true; ///< whether HeatSource acts in this increment
@@ -113,14 +113,29 @@ public:
     rough, ///< to 1e-3 of the temperature difference that the partition removes: while the pressure is still iterated
     fine   ///< to 1e-6
   };
-  /// Computes the fluxes for a pressure and a shear, and the thermal displacement that they add to the gap.
+  /// Computes the fluxes for a pressure and a heat of friction, and the thermal displacement that they cause.
+  /// @param heat_per_area  friction work per area in the increment, not yet multiplied by the fraction [J/m^2]
   /// @returns the largest change of that displacement [m]
-  double follow(std::span<const double> pressure, std::span<const double> shear, Sharing sharing);
+  double follow(std::span<const double> pressure, std::span<const double> heat_per_area, Sharing sharing);
   /// Adds the thermal displacement of both surfaces to the gap [m].
   void add_to_gap(std::span<double> gap) const;
+  /// Adds the thermal displacement of a surface along x (axis 0) or y (1) on the contact grid [m]: after `recall` that before the
+  /// increment, after `begin` that of the trial; nothing without HeatNumerics::along_surface.
+  /// @param side  0: lower, 1: upper
+  void add_along(std::size_t side, std::size_t axis, std::span<double> out) const;
+  /// Work of shears on the lower surface on the thermal displacement along the surfaces, lower minus upper, of the trial [J].
+  [[nodiscard]] double work_of_shears(const std::array<std::span<const double>, 2>& shears) const;
+  /// Before `begin`: returns to the displacement at the end of the last increment, of the points of the surfaces that lie under
+  /// the contact grid at the end of the next one.
+  /// @param columns  by which the contact grid moves on both bodies
+  void recall(const std::array<VolumeGrid, 2>& grids, const std::array<Place, 2>& places,
+              const std::array<double, 2>& columns);
   /// Ends an increment.
-  /// @param heat_per_area  friction work per area in the increment, not yet multiplied by the fraction [J/m^2]
-  void settle(std::span<const double> pressure, std::span<const double> heat_per_area);
+  /// @param heat_per_area  as for `follow`
+  /// @param shears         mean shears of the increment on the lower surface, for their work on the thermal displacement [Pa];
+  ///                       empty parts do no work
+  void settle(std::span<const double> pressure, std::span<const double> heat_per_area,
+              const std::array<std::span<const double>, 2>& shears = {});
   /// Adds the plastic work of the increment in a body that is solved; to be called before `settle`.
   /// @param side  0: lower, 1: upper, unless it is a twin
   /// @param work  plastic work per cell of the body's grid [J/m^3]
@@ -147,8 +162,9 @@ public:
   [[nodiscard]] double heat_of_source() const;
   /// Heat of the plastic work of both bodies since the start [J].
   [[nodiscard]] double heat_of_plastic_work() const;
-  /// Work of the thermal displacement of the surfaces against the pressure since the start [J].
-  [[nodiscard]] double work_on_pressure() const;
+  /// Work of the thermal displacement of the surfaces against the pressure and, with HeatNumerics::along_surface, the shear since
+  /// the start [J].
+  [[nodiscard]] double work_on_tractions() const;
   /// Largest number of cells, in one increment since the start, that were held in contact because their own heat kept opening and
   /// closing them: docs/theory/heat.md (In the increment).
   [[nodiscard]] int most_held_cells() const;

@@ -119,7 +119,7 @@ struct Sliding
   Friction friction{};
   int direction = 1;   ///< in which the upper body slides over the lower one: +1 towards +x, or -1
   bool sticks = false; ///< partial slip: surfaces stick where friction can hold them; `direction` is not used then
-  /// Heat of friction of surfaces that slide everywhere; none: heat is not computed.
+  /// Heat of friction; none: heat is not computed. The steady regime is not available where surfaces may stick.
   std::optional<HeatedRun> heat{};
   WearLaw wear{};
 };
@@ -247,9 +247,10 @@ private:
                                                 const std::array<double, 2>& direction) const;
   template <typename Use>
   void with_bodies(const Placement& placement, const Use& use) const;
+  [[nodiscard]] std::array<double, 2> columns_moved(const Placement& placement) const;
   void begin_friction(const Placement& placement, const Strategy& strategy, const contact::TangentialDrive& along);
   [[nodiscard]] Interface::Change follow(const Placement& placement);
-  void begin_wear(const Strategy& strategy);
+  void begin_wear();
   [[nodiscard]] double follow_wear();
   void begin_heating(const Placement& placement, const Strategy& strategy);
   void settle_heating(const Strategy& strategy);
@@ -278,7 +279,7 @@ private:
   std::unique_ptr<Interface> interface_; ///< none without friction
   std::unique_ptr<Heating> heating_;     ///< none without heat
   std::unique_ptr<Wear> wear_;           ///< none without wear
-  double slid_ = 0.0;                    ///< Strategy::slid of the current increment [m]
+  double slid_ = 0.0;                    ///< Strategy::slid of the current increment, 0 if nothing slides [m]
   std::array<double, 2> driven_along_{}; ///< Interface::direction of the current increment
   Placement placement_;
   double approach_ = 0.0;

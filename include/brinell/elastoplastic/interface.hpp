@@ -44,7 +44,7 @@ public:
   struct Bodies
   {
     std::span<const double> pressure;         ///< [Pa]
-    std::span<const double> lower_x, upper_x; ///< residual displacement along x [m]
+    std::span<const double> lower_x, upper_x; ///< residual and thermal displacement along x [m]
     std::span<const double> lower_y{}, upper_y{};
     double lower_columns = 0.0,
            upper_columns = 0.0; ///< columns that the contact has moved on the bodies in the increment

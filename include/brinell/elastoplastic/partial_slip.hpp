@@ -51,6 +51,12 @@ public:
   [[nodiscard]] std::span<const double> path() const { return state_.path; }
   /// Heat of friction per area, over the same time as `slips` [J/m^2].
   [[nodiscard]] std::span<const double> heat_per_area() const { return state_.heat; }
+  /// Heat of friction per area in the current increment [J/m^2]: of the trial, and after `settle` with the heat of points that
+  /// left the contact.
+  [[nodiscard]] std::vector<double> heat_of_trial() const;
+  [[nodiscard]] std::span<const double> heat_of_increment() const { return heat_of_increment_; }
+  /// Mean of the shears before and after the last increment, of the points that lie in each cell [Pa].
+  [[nodiscard]] std::array<std::vector<double>, 2> mean_shears() const;
   /// Heat of friction since the start, including points that have left the grid [J].
   [[nodiscard]] double heat() const { return state_.total_heat; }
   /// Displacement of distant points of the upper body relative to those of the lower one since the start, along x and y [m].
@@ -89,10 +95,12 @@ private:
   [[nodiscard]] double imposed(std::size_t axis, int column, int row) const;
   [[nodiscard]] double driven_motion() const;
   [[nodiscard]] double tolerance_of_slip() const;
+  void add_heat(std::size_t cell, double heat);
   void add_parting_heat();
   void add_work(double beyond_trapezoid);
   [[nodiscard]] double moment_of(const Pair& shear) const;
   [[nodiscard]] bool slips_at(std::size_t cell) const;
+  [[nodiscard]] double heat_at(std::size_t cell) const;
   [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
   void set_bound(std::span<const double> pressure);
   [[nodiscard]] bool carries_drive() const;
@@ -117,6 +125,7 @@ private:
   Pair displacement_before_; ///< total (elastic and residual) displacement, lower minus upper, before the increment [m]
   Pair change_;              ///< change in this increment of the displacement that is not due to the shears [m]
   Pair slip_;                ///< slip in this increment [m]
+  std::vector<double> heat_of_increment_; ///< see `heat_of_increment`
   std::array<double, 2> shift_{};
   State state_, before_; ///< now, and before the increment
 };

@@ -57,6 +57,8 @@ public:
   /// deformation of the bodies.
   /// @param slid  sliding distance of the undeformed surfaces in the increment [m]
   [[nodiscard]] std::vector<double> heat_per_area(double slid) const;
+  /// Work per area of the shear of the trial on the sliding distance [J/m^2].
+  [[nodiscard]] std::vector<double> work_on_way(double slid) const;
 
   void exchange(Archive& archive) override { state_.exchange(archive); }
   void embed(const Interface& smaller) override;

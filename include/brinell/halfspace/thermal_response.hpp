@@ -3,14 +3,15 @@
 
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/heat_response.hpp"
+#include "brinell/halfspace/surface_load.hpp"
 
 #include <optional>
 
 namespace brinell::halfspace
 {
 
-/// Flux into the surface of an elastic half space -> displacement of the surface along z at the end of the motion, for a flux
-/// that has been constant while it moved over an initially cold body.
+/// Flux into the surface of an elastic half space -> displacement of the surface at the end of the motion, for a flux that has
+/// been constant while it moved over an initially cold body.
 ///
 /// For a step whose flux is still unknown, this is the part of the displacement that depends on the flux: added to the
 /// displacement that remains of the steps before (`ThermalField::displacement`), it is the displacement after the step. The
@@ -20,9 +21,10 @@ class ThermalResponse
 public:
   /// @param motion     with an infinite duration the operator is `SteadyField::displacement`
   /// @param reference  SteadyMotion::reference, for an infinite duration
+  /// @param components for an infinite duration only the normal one
   /// @throws InputError if a constant or the duration is not above 0, or no steady displacement exists
   ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatMotion& motion,
-                  std::optional<double> reference = {});
+                  std::optional<double> reference = {}, Displacements components = Displacements::normal);
 
   [[nodiscard]] const SurfaceGrid& grid() const;
 
@@ -31,8 +33,9 @@ public:
   using Scratch = Hidden<Buffers>;
   [[nodiscard]] Scratch make_scratch() const;
   /// @param flux          [W/m^2] per cell
-  /// @param displacement  into the body [m] per cell; overwritten
-  void apply(std::span<const double> flux, std::span<double> displacement, Scratch& scratch) const;
+  /// @param displacement  [m] per cell; overwritten; empty parts are not computed
+  /// @throws InternalError for a component that is not prepared
+  void apply(std::span<const double> flux, const SurfaceDisplacement& displacement, Scratch& scratch) const;
 
 private:
   struct Operator;

@@ -32,6 +32,8 @@ struct FrettingCase : Numerics
   int cycles = 1;
   int steps_per_cycle = 40; ///< a multiple of 4
   double direction = 0.0;   ///< of the motion, from x towards y [rad]
+  /// Cycles per time [1/s], > 0; needed where friction heats. Each step of pressing takes as long as one of a cycle.
+  std::optional<double> frequency;
 };
 
 struct FrettingPlan : Plan
@@ -44,7 +46,7 @@ struct FrettingPlan : Plan
 };
 
 /// One row of the history.
-struct FrettingRecord : FrictionRecord
+struct FrettingRecord : HeatedRecord
 {
   int cycle = 0;               ///< counts from 1; 0 while the bodies are pressed together
   double approach = 0.0;       ///< [m]
@@ -108,6 +110,13 @@ inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
     {"slip_path", "m", &FrettingRecord::slip_path, "largest slip length of a point since the start"},
     common::contact_area,
     common::max_pressure,
+    common::heated[0],
+    common::heated[1],
+    common::heated[2],
+    common::heated[3],
+    common::heated[4],
+    common::heated[5],
+    common::heated[6],
     common::worn[0],
     common::worn[1],
     common::worn[2],

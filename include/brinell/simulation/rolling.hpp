@@ -46,7 +46,8 @@ struct RollingCase : Numerics
   int passes = 1;
   int load_steps = 6; ///< steps in which the drive is applied before a pass, and removed after it
   /// Speed of the contact over the lower body [m/s], > 0; needed where friction heats. Each step of pressing on and lifting off
-  /// takes as long as one of rolling, and the way back takes as long as a pass.
+  /// takes as long as one of rolling; with creepage all of them together take at least as long as the contact rolls over its own
+  /// length. The way back takes as long as a pass.
   std::optional<double> speed;
 };
 

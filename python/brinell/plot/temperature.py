@@ -52,10 +52,13 @@ def _moving(one: History, column: str) -> History:
 
 
 def _heated_course(run: Run) -> Course:
-    """The course over a distance: that of the history, or the distance slid or rolled."""
+    """The course over a distance: that of the history, or the distance slid or rolled; in fretting over the cycles."""
     course = course_of(run)
     if SCENARIOS[run.scenario].abscissa is not None:
         return course
+    if "cycle" in run.history:
+        cycles = [_cycles_done(one["cycle"]) for one in course.passes]
+        return Course(course.passes, cycles, "cycles done", course.scales)
     column, name = ("way", "way slid") if "way" in run.history else ("x", "distance rolled")
     passes = [_moving(one, column) for one in course.passes]
     ways = [np.abs(one[column] - one[column][0]) for one in passes]
@@ -63,6 +66,13 @@ def _heated_course(run: Run) -> Course:
     scale = si(max(float(start + way[-1]) for start, way in zip(starts, ways, strict=True)), "m")
     x = [(start + way) / scale.size for start, way in zip(starts, ways, strict=True)]
     return Course(passes, x, scale.label(name, "s"), course.scales)
+
+
+def _cycles_done(cycle: FloatArray) -> FloatArray:
+    """Cycles done after each step, from the number of the cycle to which it belongs; negative while pressing."""
+    pressing = int(np.count_nonzero(cycle == 0))
+    steps_per_cycle = max(1, int(np.count_nonzero(cycle == 1)))
+    return (np.arange(cycle.size) + 1.0 - pressing) / steps_per_cycle
 
 
 def _draw_course(ax: Axes, course: Course, column: str, scale: Scale, look: Mapping[str, Any]) -> None:
@@ -76,8 +86,8 @@ def surface_temperatures(run: Run) -> Figure | None:
     """Largest temperature of each surface, and the heat that has entered each body, over a distance.
 
     The distance is the sliding coordinate for tugging, the sliding distance in several passes, otherwise the distance
-    slid or rolled; steps of pressing and lifting off are left out. The heat of the plastic work in both bodies and that
-    of a source from outside are drawn, too.
+    slid or rolled; steps of pressing and lifting off are left out. In fretting the cycles are counted instead. The heat
+    of the plastic work in both bodies and that of a source from outside are drawn, too.
 
     Returns:
         None if no heat was computed.

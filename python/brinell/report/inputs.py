@@ -68,6 +68,7 @@ UNITS: Mapping[str, str] = {
     "half_angle": "°",
     "spin": "rad/m",
     "speed": "m/s",
+    "frequency": "Hz",
     "conductivity": "W/(m K)",
     "conductance": "W/(m² K)",
     "power": "W",

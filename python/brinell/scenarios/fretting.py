@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from brinell.bodies import Body, Quantity
 from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Interface, Output, Solver
+from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
@@ -39,7 +39,9 @@ class Fretting(ScenarioCase):
         cycles: int | None = None,
         steps_per_cycle: int | None = None,
         press_steps: int | None = None,
+        frequency: Quantity | None = None,
         interface: Interface | Mapping[str, Any] | None = None,
+        thermal: Heating | Mapping[str, Any] | None = None,
         title: str | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
@@ -59,7 +61,9 @@ class Fretting(ScenarioCase):
             cycles: number of cycles.
             steps_per_cycle: number of steps per cycle, a multiple of 4.
             press_steps: number of steps in which load or approach is applied.
+            frequency: cycles per second, such as "50 Hz"; required if friction heats the bodies.
             interface: friction, `brinell.Interface` or a dictionary.
+            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
             title: title of the case, copied into the results.
             grid: grid settings, `brinell.Grid` or a dictionary.
             solver: solver settings, `brinell.Solver` or a dictionary.
@@ -77,8 +81,19 @@ class Fretting(ScenarioCase):
             "cycles": cycles,
             "steps_per_cycle": steps_per_cycle,
             "press_steps": press_steps,
+            "frequency": frequency,
         }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output, interface=interface)
+        super().__init__(
+            lower,
+            upper,
+            table,
+            title=title,
+            grid=grid,
+            solver=solver,
+            output=output,
+            interface=interface,
+            thermal=thermal,
+        )
 
 
 @dataclass(frozen=True)

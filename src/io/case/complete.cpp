@@ -215,7 +215,7 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
       warn(c, "no_heat", "{}.material.softening has no effect: no heat is computed in this case", name);
   if constexpr (can_heat)
     if (!(has_source && (scenario.lower.material.thermal || scenario.upper.material.thermal)))
-      warn_of_keys_without_heat(reader, c, fmt::format("{}.speed", io_of(scenario).name));
+      warn_of_keys_without_heat(reader, c, fmt::format("{}.{}", io_of(scenario).name, io_of(scenario).speed));
 }
 
 template <typename ScenarioCase>

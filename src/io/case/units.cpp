@@ -42,6 +42,7 @@ constexpr std::array units{
     Unit{"J", {.mass = 1, .length = 2, .time = -2}},
     Unit{"W", {.mass = 1, .length = 2, .time = -3}},
     Unit{"rad", {}}, // only per length; plain angles are read by `degrees`
+    Unit{"Hz", {.time = -1}},
     Unit{"%", {}, -2, false},
 };
 
@@ -72,6 +73,7 @@ constexpr std::array named_dimensions{
     NamedDimension{{.mass = 1, .length = 2, .time = -2}, "energy", "J", "3 J"},
     NamedDimension{{.mass = 1}, "mass", "kg", "1 kg"},
     NamedDimension{{.time = 1}, "time", "s", "2 ms"},
+    NamedDimension{{.time = -1}, "frequency", "Hz", "10 Hz"},
     NamedDimension{{.length = 1, .time = -1}, "velocity", "m/s", "3 m/s"},
     NamedDimension{{.temperature = 1}, "difference of temperatures", "K", "300 K"},
     NamedDimension{dimension::conductivity, "thermal conductivity", "W/(m K)", "50 W/(m K)"},

@@ -79,6 +79,12 @@ std::vector<Entry> fretting_keys()
              .of = kind::number.between(1, 100000),
              .text = "Number of steps in which load or approach is applied."},
             &FrettingCase::press_steps),
+      bound({.key = "fretting.frequency",
+             .of = kind::frequency.above(0.0),
+             .unset = "none; needed where friction heats",
+             .text = "Cycles per second, on which the heat of friction depends. Each step of pressing takes as long as "
+                     "one of a cycle."},
+            &FrettingCase::frequency),
   };
 }
 
@@ -163,6 +169,7 @@ ScenarioIo<FrettingCase> description()
       .half_x = &FrettingPlan::contact_radius,
       .half_y = &FrettingPlan::contact_radius_y,
       .moves = false,
+      .speed = "frequency",
       .motion = motion,
       .is_key_step = is_key_step,
       .key_steps = [](const FrettingCase& f, const FrettingPlan&) { return 1.0 + 3.0 * f.cycles; },

@@ -95,7 +95,8 @@ std::vector<Entry> motion_keys()
              .unset = "none; needed where friction heats",
              .text = "Speed of the contact over the lower body, on which the heat of friction depends; with "
                      "slide_to_roll it determines the sliding speed. A step of pressing on or lifting off takes as "
-                     "long as one of rolling; the way back from pass to pass takes as long as a pass."},
+                     "long as one of rolling, with creepage all of them at least as long as the contact takes to roll "
+                     "over its own length; the way back from pass to pass takes as long as a pass."},
             &RollingCase::speed),
   };
 }

@@ -37,7 +37,8 @@ struct ScenarioIo
   std::string (*read)(const CaseReader& reader, Case& c, ScenarioCase& scenario);
   double Plan::*half_x; ///< half-lengths of the contact, estimates [m]
   double Plan::*half_y;
-  bool moves = true; ///< whether the contact moves on both bodies; then the x axis cannot be periodic
+  bool moves = true;           ///< whether the contact moves on both bodies; then the x axis cannot be periodic
+  const char* speed = "speed"; ///< name of the key of the case that gives the pace of the motion, on which heat depends
   /// Why the scenario does not allow a shape; empty if it does.
   std::string_view (*against_shape)(const simulation::Shape& shape) = [](const simulation::Shape&)
   { return std::string_view(); };

@@ -29,9 +29,9 @@ struct HotOnCold
   SurfaceGrid grid{9, 7, 1e-4, 1e-4};
   VolumeGrid body{grid, 2, 1e-4};
   Heating heating{grid, {{{body, steel(20.0)}, {body, steel(120.0)}}}, {{}, {1e-4, 1e-2}}, Twin::none};
-  Field shear = Field(grid.size(), 0.0);
+  Field no_friction = Field(grid.size(), 0.0);
 
-  void begin() { heating.begin({{body, body}, {}, {0.0, 0.0}, 1e-4, 0.0, shear}); }
+  void begin() { heating.begin({.grids = {body, body}, .places = {}, .columns = {}, .duration = 1e-4}); }
   /// The change of the gap under a pressure in the middle, and on that cell, too, or not.
   double follow(std::size_t cell, bool touches)
   {
@@ -39,7 +39,7 @@ struct HotOnCold
     for (const int i : {3, 4, 5})
       pressure[grid.index(i, 3)] = 1e8;
     pressure[cell] = touches ? 1e3 : 0.0;
-    return heating.follow(pressure, shear, Heating::Sharing::fine);
+    return heating.follow(pressure, no_friction, Heating::Sharing::fine);
   }
 };
 

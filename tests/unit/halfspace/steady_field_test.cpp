@@ -259,7 +259,7 @@ TEST(SteadyField, AResponseIsTheSame)
     auto scratch = response.make_scratch();
     const Field flux = spot(g, 0.3);
     Field own(g.size());
-    response.apply(flux, own, scratch);
+    response.apply(flux, {own, {}, {}}, scratch);
     EXPECT_LT(test::largest_difference(own, displacement_of(SteadyField(g, body, elastic, {velocity, 3.0}), flux)),
               1e-12 * test::largest(own));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
+#include "brinell/io/case_template.hpp"
 #include "sample.hpp"
 
 #include <gtest/gtest.h>
@@ -161,6 +162,44 @@ TEST(ThermalCase, FrictionHeatsWhereThereIsASpeed)
   refused({lower, upper, friction, speed, "thermal.at_melting=\"wait\""}, "thermal.at_melting");
   refused({lower, upper, friction, speed, "interface.heat_fraction=-1"},
           "interface.heat_fraction = -1 is out of range");
+}
+
+TEST(ThermalCase, SlipHeatsWhereThereIsAPace)
+{
+  const std::string heat = "lower.material.thermal={" + steel + "}", upper = "upper.material.thermal={" + steel + "}";
+  const auto parsed = [&](const std::string& scenario, std::vector<std::string> overrides)
+  {
+    overrides.insert(overrides.end(), {heat, upper, "interface.friction=0.3"});
+    return parse_case(case_template(scenario), "case.toml", overrides);
+  };
+  const Case fretting = parsed("fretting", {"fretting.frequency=\"2 kHz\""});
+  EXPECT_EQ(std::get<simulation::FrettingCase>(fretting.scenario).frequency, 2000.0);
+  EXPECT_FALSE(warns(fretting, "no_heat"));
+  EXPECT_TRUE(warns(parse_case(case_template("fretting"), "case.toml", {"fretting.frequency=10"}), "no_heat"));
+  const Case creeping = parsed("rolling", {"rolling.creepage=0.002", "rolling.speed=1"});
+  EXPECT_FALSE(warns(creeping, "no_heat"));
+
+  const auto refused =
+      [&](const std::string& scenario, const std::vector<std::string>& overrides, const std::string& part)
+  {
+    std::string message = "not refused";
+    try
+    {
+      (void)parsed(scenario, overrides);
+    }
+    catch (const InputError& error)
+    {
+      message = error.what();
+    }
+    EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+  };
+  refused("fretting", {}, "allowed: a frequency > 0, as \"1 Hz\"");
+  refused("fretting", {"fretting.frequency=-1"}, "fretting.frequency = -1 is out of range");
+  refused("fretting", {"fretting.frequency=\"1 s\""}, "frequency");
+  refused("fretting", {"fretting.frequency=1", "thermal.regime=\"steady\""}, "where they stick in places");
+  refused("rolling", {"rolling.creepage=0.002"}, "rolling.speed is missing");
+  refused("rolling", {"rolling.creepage=0.002", "rolling.speed=1", "thermal.regime=\"steady\""},
+          "where they stick in places");
 }
 
 TEST(ThermalCase, WarnsOfConstantsThatNothingUses)

@@ -75,6 +75,13 @@ TEST(Units, AnglesAreInDegrees)
     EXPECT_THROW((void)degrees(bad), InputError) << bad;
 }
 
+TEST(Units, FrequenciesAreInHertz)
+{
+  EXPECT_EQ(quantity("50 Hz").dimension, (Dimension{.time = -1}));
+  EXPECT_DOUBLE_EQ(quantity("2 kHz").value, 2000.0);
+  EXPECT_DOUBLE_EQ(quantity("2 1/ms").value, 2000.0);
+}
+
 class BadQuantity : public testing::TestWithParam<const char*>
 {
 };
