@@ -185,6 +185,8 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
       interface_->add_to_gap(distance_);
     if (heating_)
       heating_->add_to_gap(distance_);
+    if (wear_)
+      wear_->add_to_gap(distance_);
     press(drive, strategy, report);
     Interface::Change change = follow(placement);
     const double heat_change = heating_ && !strategy.watch_energy

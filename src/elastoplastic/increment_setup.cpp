@@ -68,7 +68,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   if (sliding.wear.wears() && twin != Twin::none)
     throw InternalError("CoupledContact: bodies whose surfaces wear are not twins");
   if (sliding.wear.wears())
-    wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear);
+    wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear,
+                                   contact_modulus(lower_material.elastic, upper_material.elastic));
   const auto half_space = operators(lower, lower_material.elastic);
   const halfspace::Displacements displacements = displacements_under(interface_.get());
   sides_.push_back(

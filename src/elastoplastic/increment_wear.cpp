@@ -12,8 +12,9 @@ namespace brinell::elastoplastic
 /// solution.
 void CoupledContact::begin_wear()
 {
-  wear_->begin(pressure_);
-  if (partial_slip() == nullptr)
+  const PartialSlip* partial = partial_slip();
+  wear_->begin(partial != nullptr ? partial->pressure_before() : pressure_);
+  if (partial == nullptr)
     static_cast<void>(follow_wear());
 }
 
@@ -29,7 +30,11 @@ double CoupledContact::follow_wear()
     for (const std::span<const double>& part : interface_->shears())
       for (std::size_t i = 0; i < part.size(); ++i)
         shear[i] = std::hypot(shear[i], part[i]);
-  return wear_->follow({.pressure = pressure_, .length = length, .shear = shear});
+  std::vector<double> onset;
+  if (partial != nullptr)
+    onset =
+        wear_->law().kind == WearLaw::Kind::archard ? partial->pressure_of_onset(pressure_) : partial->shear_of_onset();
+  return wear_->follow({.pressure = pressure_, .length = length, .shear = shear, .onset = onset});
 }
 
 } // namespace brinell::elastoplastic

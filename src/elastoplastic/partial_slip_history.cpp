@@ -25,6 +25,9 @@ std::vector<double> PartialSlip::slipped() const
   for (std::size_t i = 0; i < length.size(); ++i)
     if (slips_at(i))
       length[i] = std::hypot(slip_[0][i], slip_[1][i]);
+  const Pair parting = parting_slip();
+  for (std::size_t i = 0; i < parting[0].size(); ++i)
+    length[i] += std::hypot(parting[0][i], parting[1][i]);
   return length;
 }
 
@@ -36,9 +39,35 @@ double PartialSlip::heat_at(std::size_t cell) const
 {
   const double size = std::hypot(state_.shear[0][cell], state_.shear[1][cell]);
   const double along = (slip_[0][cell] * state_.shear[0][cell] + slip_[1][cell] * state_.shear[1][cell]) / size;
+  return 0.5 * (bound_of_onset(cell) + bound_[cell]) * along;
+}
+
+/// Bound of the shear at which a cell that slips begins to do so [Pa].
+double PartialSlip::bound_of_onset(std::size_t cell) const
+{
   const double size_before = std::hypot(shear_before_[0][cell], shear_before_[1][cell]);
-  const double bound_of_onset = std::min(bound_before_[cell], std::max(size_before, bound_[cell]));
-  return 0.5 * (bound_of_onset + bound_[cell]) * along;
+  return std::min(bound_before_[cell], std::max(size_before, bound_[cell]));
+}
+
+std::vector<double> PartialSlip::shear_of_onset() const
+{
+  std::vector<double> onset(bound_.size());
+  for (std::size_t i = 0; i < onset.size(); ++i)
+    onset[i] = bound_of_onset(i);
+  return onset;
+}
+
+/// That whose bound is the bound of the onset; where the surface limits the shear, a cell slips from the beginning.
+std::vector<double> PartialSlip::pressure_of_onset(std::span<const double> pressure) const
+{
+  std::vector<double> onset(bound_.size());
+  for (std::size_t i = 0; i < onset.size(); ++i)
+  {
+    const double before = pressure_before_[i], coefficient = friction().coefficient;
+    const bool is_limited = bound_before_[i] < coefficient * before || bound_[i] < coefficient * pressure[i];
+    onset[i] = is_limited ? before : bound_of_onset(i) / coefficient;
+  }
+  return onset;
 }
 
 std::vector<double> PartialSlip::heat_of_trial() const
@@ -116,8 +145,9 @@ void PartialSlip::add_work(double beyond_trapezoid)
   state_.work += beyond_trapezoid;
 }
 
-/// Adds slip and heat of points that leave the contact in the increment: they slip until their shear has vanished.
-void PartialSlip::add_parting_heat()
+/// Slip of points that leave the contact in the increment: they slip until their shear has vanished. Zero elsewhere; empty if there
+/// are none.
+PartialSlip::Pair PartialSlip::parting_slip() const
 {
   const auto parts = [&](std::size_t i)
   { return bound_[i] == 0.0 && (shear_before_[0][i] != 0.0 || shear_before_[1][i] != 0.0); };
@@ -126,29 +156,36 @@ void PartialSlip::add_parting_heat()
   for (std::size_t i = 0; i < bound_.size() && !any; ++i)
     any = parts(i);
   if (!any)
-    return;
-  Pair added{state_.shear[0], state_.shear[1]}; // first the change of the shears, then its displacement
+    return {};
+  Pair change{state_.shear[0], state_.shear[1]}, displacement = change;
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (std::size_t i = 0; i < bound_.size(); ++i)
-      added[axis][i] -= shear_before_[axis][i];
-  const Pair shears = added;
-  pair_.apply({.shear_x = shears[0], .shear_y = shears[1]}, {.x = added[0], .y = added[1]}, scratch_);
+      change[axis][i] -= shear_before_[axis][i];
+  pair_.apply({.shear_x = change[0], .shear_y = change[1]}, {.x = displacement[0], .y = displacement[1]});
+  Pair slip{std::vector<double>(bound_.size()), std::vector<double>(bound_.size())};
   for (int row = 0; row < grid.ny; ++row)
     for (int column = 0; column < grid.nx; ++column)
       if (const std::size_t i = grid.index(column, row); parts(i))
-      {
-        std::array<double, 2> slip{};
         for (std::size_t axis = 0; axis < 2; ++axis)
         {
           const double found = is_forced(axis) ? shift_[axis] : 0.0;
-          slip[axis] = imposed(axis, column, row) + found - change_[axis][i] - added[axis][i];
-          state_.slip[axis][i] += slip[axis];
+          slip[axis][i] = imposed(axis, column, row) + found - change_[axis][i] - displacement[axis][i];
         }
-        const double work = slip[0] * shear_before_[0][i] + slip[1] * shear_before_[1][i];
-        const double heat = std::max(0.0, 0.5 * work);
-        state_.path[i] += std::hypot(slip[0], slip[1]);
-        add_heat(i, heat);
-      }
+  return slip;
+}
+
+/// Adds slip and heat of points that leave the contact in the increment, under half of the shear that they had.
+void PartialSlip::add_parting_heat()
+{
+  const Pair slip = parting_slip();
+  for (std::size_t i = 0; i < slip[0].size(); ++i)
+  {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      state_.slip[axis][i] += slip[axis][i];
+    const double work = slip[0][i] * shear_before_[0][i] + slip[1][i] * shear_before_[1][i];
+    state_.path[i] += std::hypot(slip[0][i], slip[1][i]);
+    add_heat(i, std::max(0.0, 0.5 * work));
+  }
 }
 
 double PartialSlip::moment_of(const Pair& shear) const

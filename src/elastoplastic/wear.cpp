@@ -10,17 +10,28 @@
 namespace brinell::elastoplastic
 {
 
-Wear::Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law)
-    : contact_(contact), law_(law), sides_{Side{lower, law.lower / law.sum(), std::vector<double>(lower.size())},
-                                           Side{upper, law.upper / law.sum(), std::vector<double>(upper.size())}},
-      compliance_(contact.size()), pressure_before_(contact.size())
+namespace
+{
+
+/// Twice the compliance of the shortest wave along an axis, over the size of the cells and the modulus.
+constexpr double explicit_share = 0.9;
+
+} // namespace
+
+Wear::Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law,
+           double modulus)
+    : contact_(contact), law_(law), explicit_limit_(explicit_share * std::min(contact.dx, contact.dy) / modulus),
+      sides_{Side{lower, law.lower / law.sum(), std::vector<double>(lower.size())},
+             Side{upper, law.upper / law.sum(), std::vector<double>(upper.size())}},
+      compliance_(contact.size()), pressure_before_(contact.size()), from_onset_(contact.size())
 {
 }
 
 void Wear::begin(std::span<const double> pressure)
 {
   pressure_before_.assign(pressure.begin(), pressure.end());
-  std::fill(compliance_.begin(), compliance_.end(), 0.0);
+  for (std::vector<double>* field : {&compliance_, &from_onset_})
+    std::fill(field->begin(), field->end(), 0.0);
 }
 
 double Wear::follow(const Slip& slip)
@@ -31,11 +42,23 @@ double Wear::follow(const Slip& slip)
     const double p = slip.pressure[i];
     // Without pressure the ratio is undefined, and there is no wear.
     const double ratio = law_.kind == WearLaw::Kind::archard ? 1.0 : (p > 0.0 ? slip.shear[i] / p : 0.0);
-    const double now = law_.sum() * slip.length[i] * ratio;
-    change = larger(change, std::abs(now - compliance_[i]) * p);
+    const double per_pressure = law_.sum() * slip.length[i];
+    // Share of the slip that counts under the pressure at the end.
+    const double at_end =
+        slip.onset.empty() || per_pressure == 0.0 ? 1.0 : std::max(0.5, 1.0 - 0.5 * explicit_limit_ / per_pressure);
+    const double now = at_end * per_pressure * ratio;
+    const double known = slip.onset.empty() ? 0.0 : (1.0 - at_end) * per_pressure * slip.onset[i];
+    change = larger(change, std::abs(now - compliance_[i]) * p + std::abs(known - from_onset_[i]));
     compliance_[i] = now;
+    from_onset_[i] = known;
   }
   return change;
+}
+
+void Wear::add_to_gap(std::span<double> gap) const
+{
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    gap[i] += from_onset_[i];
 }
 
 double Wear::held_energy(std::span<const double> pressure) const
@@ -52,7 +75,7 @@ void Wear::settle(std::span<const double> pressure, const Placement& placement)
   double sum = 0.0, work = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < worn.size(); ++i)
   {
-    worn[i] = compliance_[i] * pressure[i];
+    worn[i] = compliance_[i] * pressure[i] + from_onset_[i];
     sum += worn[i];
     work += 0.5 * (pressure_before_[i] + pressure[i]) * worn[i];
     largest = std::max(largest, worn[i]);

@@ -92,14 +92,11 @@ RollingPlan plan(const RollingCase& rolling)
 {
   const std::string why_not =
       rolling.slide_to_roll == 0.0 && !rolling.creepage
-          ? "the surfaces do not slide with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll"
+          ? "the surfaces do not slide with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll, or "
+            "rolling.creepage"
           : "";
-  require_friction(rolling, rolling.lower, rolling.upper, why_not.empty() ? "" : why_not + ", or rolling.creepage");
-  // With creepage, slip occurs where the pressure falls to zero within a step, and wear from the pressure at its end would be far
-  // off.
-  require_wear(rolling, rolling.creepage ? "wear is not computed where rolling surfaces stick in places; allowed: 0, "
-                                           "or rolling.slide_to_roll instead of rolling.creepage and rolling.spin"
-                                         : why_not);
+  require_friction(rolling, rolling.lower, rolling.upper, why_not);
+  require_wear(rolling, why_not);
   require_heat(rolling, rolling.lower, rolling.upper,
                {.speed = rolling.speed,
                 .speed_key = "rolling.speed",

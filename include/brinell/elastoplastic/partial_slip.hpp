@@ -45,8 +45,13 @@ public:
 
   /// Signed slip since the start, or since these points of the surfaces came under the contact grid [m].
   [[nodiscard]] contact::ConstAlongSurface slips() const { return {state_.slip[0], state_.slip[1]}; }
-  /// Slip length in the current increment, where the surfaces slip on each other under pressure; 0 elsewhere [m].
+  /// Slip length in the current increment, where the surfaces slip on each other or part; 0 elsewhere [m].
   [[nodiscard]] std::vector<double> slipped() const;
+  /// Pressure before the current increment, on the points that now lie in each cell [Pa].
+  [[nodiscard]] std::span<const double> pressure_before() const { return pressure_before_; }
+  /// Pressure, or shear, under which slip begins in the current increment [Pa].
+  [[nodiscard]] std::vector<double> pressure_of_onset(std::span<const double> pressure) const;
+  [[nodiscard]] std::vector<double> shear_of_onset() const;
   /// Accumulated slip length, over the same time as `slips` [m].
   [[nodiscard]] std::span<const double> path() const { return state_.path; }
   /// Heat of friction per area, over the same time as `slips` [J/m^2].
@@ -96,10 +101,12 @@ private:
   [[nodiscard]] double driven_motion() const;
   [[nodiscard]] double tolerance_of_slip() const;
   void add_heat(std::size_t cell, double heat);
+  [[nodiscard]] Pair parting_slip() const;
   void add_parting_heat();
   void add_work(double beyond_trapezoid);
   [[nodiscard]] double moment_of(const Pair& shear) const;
   [[nodiscard]] bool slips_at(std::size_t cell) const;
+  [[nodiscard]] double bound_of_onset(std::size_t cell) const;
   [[nodiscard]] double heat_at(std::size_t cell) const;
   [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
   void set_bound(std::span<const double> pressure);

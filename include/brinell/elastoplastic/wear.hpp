@@ -32,11 +32,15 @@ struct WearLaw
 ///
 /// The worn depth of an increment follows from the pressure at its end (backward Euler) and is solved together with it: for the
 /// contact solver wear is a compliant layer whose deflection is proportional to the local pressure. Solution is therefore stable
-/// for any amount of wear in an increment.
+/// for any amount of wear in an increment. Where surfaces may stick, a point slips while the pressure on it changes, in a contact
+/// that rolls by as much as itself: half of the slip counts under the pressure at which it begins (trapezoidal rule), and less of
+/// it the more the wear of the increment exceeds what an explicit scheme would bear.
 class Wear
 {
 public:
-  Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law);
+  /// @param modulus  of the contact [Pa]
+  Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law,
+       double modulus);
 
   /// Pressure and slip of the trial of an increment; one value per cell of the contact grid.
   struct Slip
@@ -44,21 +48,27 @@ public:
     std::span<const double> pressure; ///< [Pa]
     std::span<const double> length;   ///< slip length in the increment [m]
     std::span<const double> shear;    ///< magnitude [Pa]; for WearLaw::Kind::energy
+    /// Pressure, or for WearLaw::Kind::energy the shear, under which slip begins in the increment [Pa]; empty: all slip counts
+    /// under the pressure at the end.
+    std::span<const double> onset{};
   };
 
   /// Begins an increment.
-  /// @param pressure  before the increment [Pa]
+  /// @param pressure  before the increment, on the points of the surfaces that wear in each cell [Pa]
   void begin(std::span<const double> pressure);
   /// Sets the worn depth per pressure.
   /// @returns the largest change of the worn depth of both surfaces together [m]
   double follow(const Slip& slip);
   /// Depth that both surfaces lose in the increment per pressure at its end [m/Pa], on the contact grid.
   [[nodiscard]] std::span<const double> compliance() const { return compliance_; }
+  /// Adds the depth that both surfaces lose in the increment whatever the pressure at its end [m].
+  void add_to_gap(std::span<double> gap) const;
   /// Contribution of the wear to the energy of the increment's convex problem, with the slip held fixed [J].
   [[nodiscard]] double held_energy(std::span<const double> pressure) const;
   /// Ends an increment: adds its wear to the worn depths.
   void settle(std::span<const double> pressure, const Placement& placement);
 
+  [[nodiscard]] const WearLaw& law() const { return law_; }
   /// Worn depth since the start of the lower (0) or upper (1) surface.
   [[nodiscard]] std::span<const double> depth(std::size_t side) const { return sides_.at(side).depth; } ///< [m]
   [[nodiscard]] double largest_depth(std::size_t side) const;                                           ///< [m]
@@ -87,9 +97,11 @@ private:
 
   SurfaceGrid contact_;
   WearLaw law_;
+  double explicit_limit_; ///< worn depth per pressure that an explicit scheme bears in an increment [m/Pa]
   std::array<Side, 2> sides_;
   double work_ = 0.0, largest_step_ = 0.0;
   std::vector<double> compliance_, pressure_before_; ///< of the current increment
+  std::vector<double> from_onset_; ///< depth lost in it by both surfaces whatever the pressure at its end [m]
 };
 
 } // namespace brinell::elastoplastic

@@ -87,7 +87,8 @@ std::vector<Entry> wear_entries()
   return {
       coefficient("lower",
                   "Wear coefficient of the lower surface: worn depth per pressure and slip length, in 1/Pa, or as text "
-                  "in mm^3/(N m). A rigid body may wear, too. In rolling wear needs a slide_to_roll other than 0.",
+                  "in mm^3/(N m). A rigid body may wear, too. In rolling wear needs a slide_to_roll other than 0, or a "
+                  "creepage.",
                   &WearLaw::lower),
       coefficient("upper", "Wear coefficient of the upper surface.", &WearLaw::upper),
       entry({.key = "interface.wear.law",

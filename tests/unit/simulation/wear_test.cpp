@@ -122,10 +122,6 @@ TEST(WearTest, IsRefusedWhereItMakesNoSense)
   r.friction.coefficient = 0.0;
   r.wear.lower = 0.0;
   expect_refused(r, "interface.wear.upper", "rolling.slide_to_roll = 0");
-  r = rolling();
-  r.slide_to_roll = 0.0;
-  r.creepage = Creepage{.longitudinal = 1e-3};
-  expect_refused(r, "interface.wear.lower", "rolling.slide_to_roll instead of");
   FrettingCase f = fretting();
   f.amplitude = 0.0;
   expect_refused(f, "interface.wear.lower", "the surfaces do not slide");
