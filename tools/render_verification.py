@@ -26,7 +26,7 @@ def in_source(suite: str, test: str) -> tuple[str, str]:
     return suite.split("/")[-1], test.split("/")[0]
 
 
-PEOPLE = {"Blok", "Carter", "Cattaneo", "Coulomb", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Johnson",
+PEOPLE = {"Blok", "Carter", "Cattaneo", "Coulomb", "Greenwood", "Hamilton", "Hertz", "Higginson", "Huber", "Jaeger", "Johnson",
           "Kalker", "Mindlin", "Persson", "Vermeulen", "Westergaard"}
 
 
