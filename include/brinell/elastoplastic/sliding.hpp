@@ -42,11 +42,9 @@ public:
   [[nodiscard]] std::span<const double> shear() const { return state_.shear; } ///< along x [Pa]
   /// Sum of the shear on the lower body [N].
   [[nodiscard]] double force() const;
-  /// The shear along x with which the surfaces slid at the beginning of the current or last increment [Pa]. It opposes the motion
-  /// of this increment: at a reversal, it has changed its sign before the surfaces move; surfaces that begin to slide have the
-  /// full shear of their pressure.
-  [[nodiscard]] std::span<const double> shear_at_start() const { return shear_at_start_; }
-  /// Sum of it on the lower body [N].
+  /// Force along x on the lower body of the shear with which the surfaces slid at the beginning of the current or last increment [N].
+  /// It opposes the motion of this increment: at a reversal, it has changed its sign before the surfaces move; surfaces that begin
+  /// to slide have the full shear of their pressure.
   [[nodiscard]] double force_at_start() const;
   /// Adds the elastic normal displacement of each surface under the shear of the last increment, positive into the body [m].
   void add_depth(std::span<double> lower, std::span<double> upper) const;
