@@ -59,7 +59,7 @@ public:
       const double columns = t * cells_;
       const Position p =
           first || t == 1.0 ? to_ : passing_.within_step(position_, whole ? std::round(columns) : columns);
-      Target there = target(p, step_in_pass_ - 1.0 + t);
+      Target there = target(p);
       const Moment moment = moment_at(p);
       there.time = moment.time;
       there.slid = moment.slid;
@@ -123,14 +123,21 @@ private:
   }
   [[nodiscard]] static Centre centre(const Position& p) { return {p.arc_lower, p.arc_upper}; }
 
-  /// @param steps  steps of the pass done at the position
-  [[nodiscard]] Target target(const Position& p, double steps) const
+  [[nodiscard]] Target target(const Position& p) const
   {
     if (!case_.load)
       return {centre(p), {contact::Drive::Kind::approach, p.interference}};
-    const double ramp = std::max(1.0, steps_in_pass_ / 8.0);
-    const double share = std::clamp(std::min(steps, steps_in_pass_ - steps) / ramp, 0.0, 1.0);
-    return {centre(p), {contact::Drive::Kind::load, share * *case_.load}};
+    return {centre(p), {contact::Drive::Kind::load, share_of_load(p.theta) * *case_.load}};
+  }
+
+  /// The load rises in the first eighth of the way on which the rigid bodies would touch, and falls in the last: by place and not by
+  /// step, so that the work does not depend on where the steps begin.
+  [[nodiscard]] double share_of_load(double theta) const
+  {
+    const double touch = passing_.angle_at_touch();
+    const double share = (touch - std::abs(theta)) / (0.25 * touch);
+    constexpr double rounding = 1e-9; // where a step ends at the end of the way
+    return share > rounding ? std::min(share, 1.0) : 0.0;
   }
 
   /// Time [s] and sliding distance of the undeformed surfaces [m] since the start.
@@ -251,6 +258,8 @@ constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1
 /// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
 constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Documented::Of::elastic_contact};
 
+/// Under a load the net work is a small difference of what the load does on its way down and up.
+constexpr Documented net_energy_under_load{"net energy", "energy.net_J", 0.08, 8.0, 1.7, Documented::Of::contact, 1.0};
 constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documented::Of::plastic_zone, 0.5};
 constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact, 1.0};
 constexpr Documented resistance_to_tugging{
@@ -283,7 +292,8 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* tota
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
   const double ploughing = share_of_ploughing(totals);
-  f.documented = {c.load ? peak_under_load : peak_force, dents, with_friction(net_energy, ploughing),
+  f.documented = {c.load ? peak_under_load : peak_force, dents,
+                  with_friction(c.load ? net_energy_under_load : net_energy, ploughing),
                   with_friction(resistance_to_tugging, ploughing)};
   if (!f.is_plane)
     f.documented.insert(f.documented.end(), {work_of_tugging, strain_of_tugging});

@@ -50,6 +50,29 @@ TEST(LoadedTugging, ElasticSpheresGiveEverythingBack)
                      "exact: elastic, and the same steps up and down");
 }
 
+// The load is P but for the first and the last eighth of the angle 2 t of a pass, so that friction takes f P (R1 + R2 - a) (2 t - t/4),
+// wherever the steps begin. The bodies are incompressible: others shrink along the contact under the pressure, by 0.2 % in steel, and
+// slip by as much less.
+TEST(LoadedTugging, FrictionTakesTheSameOnEveryMesh)
+{
+  for (const double cells : {5.0, 6.0, 7.0, 8.0})
+  {
+    simulation::TuggingCase t = under_load({{200e9, 0.5}, {}}, 10.0, cells);
+    t.interference =
+        reference::point_contact_at_load(0.5, contact_modulus({200e9, 0.5}, {200e9, 0.5}), *t.load).approach;
+    t.friction.coefficient = 0.1;
+    const double distance = 2.0 - t.interference, touch = std::acos(distance / 2.0);
+    const double exact = 0.1 * *t.load * distance * 1.75 * touch;
+    const TuggingRun run = computed(t);
+    const double step = (run.history[1].theta - run.history[0].theta) / touch;
+    // Four kinks of slope 4/t, of which a trapezoidal rule misses up to a twelfth of the square of the step.
+    const double kinks = 4.0 * 4.0 * step * step / 12.0 / 1.75;
+    test::expect_close(
+        "heat of friction of a pass under a load, " + std::to_string(std::lround(cells)) + " cells per radius",
+        run.summary.dissipation_friction / exact, 1.0, kinks, "exact: friction times load times way; trapezoidal rule");
+  }
+}
+
 TEST(LoadedTugging, EnergyBalances)
 {
   // Work of F_X along X and of F_Z along the height that the upper body rises and sinks. Plastic strain ends up in both.

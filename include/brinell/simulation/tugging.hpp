@@ -36,9 +36,9 @@ struct TuggingCase : Numerics
   /// Offset along y of the upper centre from the lower one [m], with which the bodies pass beside each other and overlap less
   /// along the line of their centres, see closest_approach. Not allowed with a load.
   double offset = 0.0;
-  /// Constant force normal to the plane of contact [N], instead of the constant height; it is applied in the first eighth of a
-  /// pass and removed in the last one. The interference is then an estimate of the approach, from which the length of the pass
-  /// and the grids follow.
+  /// Constant force normal to the plane of contact [N], instead of the constant height; it is applied in the first eighth of
+  /// the way on which the rigid bodies would touch, and removed in the last one. The interference is then an estimate of the
+  /// approach, from which the length of the pass and the grids follow.
   std::optional<double> load;
   std::optional<double>
       shift; ///< arc that the contact moves on each body per step (mean of both) [m]; default: one cell dx
