@@ -65,7 +65,7 @@ class Interface(_Table):
             more than its current shear yield stress.
         coupling: whether the shear changes the gap if the two materials differ.
         heat_fraction: fraction of the friction power that heats bodies with thermal constants [-].
-        wear: wear of the surfaces where they slip, `brinell.Wear` or a dictionary; in sliding, rolling and fretting.
+        wear: wear of the surfaces where they slip, `brinell.Wear` or a dictionary.
     """
 
     friction: float | None = None

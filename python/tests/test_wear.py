@@ -68,6 +68,28 @@ def test_figures(run: Run) -> None:
     assert whole.snapshot("final").lower.worn_depth is None
 
 
+def test_of_asperities_that_pass_each_other_twice() -> None:
+    steel = brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "4 GPa"))
+    ball = brinell.Body(brinell.Sphere("100 um"), steel)
+    wear = brinell.Wear(lower=1e-12, upper=2e-12)
+    interface = brinell.Interface(friction=0.2, wear=wear)
+    run = brinell.Tugging(ball, ball, interference=3, passes=2, interface=interface, grid={"resolution": 4}).run(
+        in_memory=True
+    )
+    history = run.history
+    assert history["worn_volume_upper"][-1] == pytest.approx(2.0 * history["worn_volume_lower"][-1], rel=1e-9)
+    assert run.summary["wear"]["volume_lower_m3"] == history["worn_volume_lower"][-1]
+    first, second = (history["F_n"][history["pass"] == number].max() for number in (1, 2))
+    assert second < first
+    course = brinell.plot.worn_course(run)
+    assert course is not None
+    way = course.axes[0].lines[0].get_xdata()
+    assert np.all(np.diff(way) >= 0.0)
+    assert course.axes[0].get_xlabel().startswith("way slid")
+    assert {"worn-profiles", "worn-course"} <= {named.name for named in brinell.plot.standard_figures(run)}
+    plt.close("all")
+
+
 def test_bad_input_is_told() -> None:
     with pytest.raises(InputError, match=r"interface\.wear\.upper"):
         sliding(interface={"wear": {"upper": -1.0}})

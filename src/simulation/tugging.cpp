@@ -34,7 +34,7 @@ public:
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
     setup.beside = {plan_.closest.y_lower, plan_.closest.y_upper};
-    setup.sliding = {.friction = case_.friction, .direction = 1};
+    setup.sliding = {.friction = case_.friction, .direction = 1, .wear = case_.wear};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
     if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair: one paraboloid has less rounding
@@ -145,12 +145,10 @@ private:
   {
     double time = 0.0, slid = 0.0;
   };
-  /// Moment at a position at the end of a step or within it; zero without a speed.
+  /// Moment at a position at the end of a step or within it; without a speed at the time 0.
   [[nodiscard]] Moment moment_at(const Position& p) const
   {
-    if (!case_.speed)
-      return {};
-    const double second_per_column = plan_.contact.dx / *case_.speed;
+    const double second_per_column = case_.speed ? plan_.contact.dx / *case_.speed : 0.0;
     if (step_in_pass_ == 0) // includes the time of the way back
       return {moment_.time + (pass_ == 0 ? 0.0 : steps_in_pass_ * cells_ * second_per_column), moment_.slid};
     const double interference = case_.load ? interference_ : 0.5 * (position_.interference + p.interference);
@@ -258,10 +256,10 @@ constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1
 /// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
 constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Documented::Of::elastic_contact};
 
-/// Under a load the net work is a small difference of what the load does on its way down and up.
-constexpr Documented net_energy_under_load{"net energy", "energy.net_J", 0.08, 8.0, 1.7, Documented::Of::contact, 1.0};
 constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documented::Of::plastic_zone, 0.5};
 constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact, 1.0};
+/// Under a load the net work is a small difference of what the load does on its way down and up.
+constexpr Documented net_energy_under_load{"net energy", "energy.net_J", 0.08, 8.0, 1.7, Documented::Of::contact, 1.0};
 constexpr Documented resistance_to_tugging{
     "F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Documented::Of::contact, 1.0};
 // Of point contacts.

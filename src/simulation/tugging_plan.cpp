@@ -11,6 +11,7 @@
 #include "heat.hpp"
 #include "memory.hpp"
 #include "symmetry.hpp"
+#include "wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -180,9 +181,10 @@ bool is_mirrored(const TuggingCase& tugging, const Position& p, double cells, do
 {
   constexpr double rounding = 1e-9;
   const double columns = (p.arc_lower - p.arc_upper) / dx;
-  return tugging.solver.mirror && shares_alike(tugging) && tugging.lower.shape == tugging.upper.shape &&
-         alike(tugging.lower, tugging.upper) && cells == std::round(cells) &&
-         std::abs(columns - std::round(columns)) < rounding && std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
+  return tugging.solver.mirror && !tugging.wear.wears() && shares_alike(tugging) &&
+         tugging.lower.shape == tugging.upper.shape && alike(tugging.lower, tugging.upper) &&
+         cells == std::round(cells) && std::abs(columns - std::round(columns)) < rounding &&
+         std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
 }
 
 double required_radius(const char* body, const Shape& shape)
@@ -249,6 +251,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 TuggingPlan plan(const TuggingCase& tugging)
 {
   require_friction(tugging, tugging.lower, tugging.upper, "");
+  require_wear(tugging, "");
   require_heat(tugging, tugging.lower, tugging.upper, {.speed = tugging.speed, .speed_key = "tugging.speed"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));

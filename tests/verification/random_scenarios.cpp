@@ -383,4 +383,60 @@ simulation::FrettingCase random_hot_fretting(Draw& draw)
   return c;
 }
 
+namespace
+{
+
+/// @param radius, approach  of the contact [m]
+/// @param slip              of a point of the surface in a pass or a cycle [m]
+template <typename Scenario>
+void add_wear(Draw& draw, Scenario& c, double radius, double approach, double slip)
+{
+  const double pressure = 0.5 * contact_modulus(c.lower.material.elastic, c.upper.material.elastic) * approach / radius;
+  double coefficient = approach * draw.power_of_ten(-3.0, 0.5) / (pressure * slip);
+  if (draw.chance(0.5))
+  {
+    c.wear.kind = elastoplastic::WearLaw::Kind::energy;
+    coefficient /= c.friction.coefficient;
+  }
+  const double lower = draw.chance(0.3) ? std::round(draw.between(0.0, 1.0)) : draw.between(0.0, 1.0);
+  c.wear.lower = lower * coefficient;
+  c.wear.upper = (1.0 - lower) * coefficient;
+}
+
+} // namespace
+
+TuggingCase random_worn_rubbing(Draw& draw)
+{
+  TuggingCase t = draw.chance(0.5) ? random_rubbing(draw) : random_hot_rubbing(draw);
+  const simulation::TuggingPlan plan = simulation::plan(t);
+  add_wear(draw, t, plan.elastic_contact_radius, plan.scales.gap, 2.0 * plan.elastic_contact_radius);
+  return t;
+}
+
+simulation::RollingCase random_worn_skidding(Draw& draw)
+{
+  simulation::RollingCase c = draw.chance(0.5) ? random_skidding(draw) : random_hot_skidding(draw);
+  const simulation::RollingPlan plan = simulation::plan(c);
+  add_wear(draw, c, plan.half_width_x, plan.scales.gap, 2.0 * std::abs(c.slide_to_roll) * plan.half_width_x);
+  return c;
+}
+
+simulation::RollingCase random_worn_creeping(Draw& draw)
+{
+  simulation::RollingCase c = draw.chance(0.5) ? random_creeping(draw) : random_hot_creeping(draw);
+  const simulation::RollingPlan plan = simulation::plan(c);
+  const double creepage = std::hypot(c.creepage->longitudinal, c.creepage->lateral);
+  add_wear(draw, c, plan.half_width_x, plan.scales.gap, 2.0 * creepage * plan.half_width_x);
+  return c;
+}
+
+simulation::FrettingCase random_worn_fretting(Draw& draw)
+{
+  simulation::FrettingCase c = draw.chance(0.5) ? random_fretting(draw) : random_hot_fretting(draw);
+  const simulation::FrettingPlan plan = simulation::plan(c);
+  const bool by_force = c.kind == simulation::FrettingCase::Kind::force;
+  add_wear(draw, c, plan.contact_radius, plan.scales.gap, by_force ? plan.sliding_displacement : 4.0 * c.amplitude);
+  return c;
+}
+
 } // namespace brinell::verification

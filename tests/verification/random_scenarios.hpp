@@ -45,5 +45,11 @@ private:
 /// or by forces up to nearly that; some with a given limit of the shear.
 [[nodiscard]] simulation::FrettingCase random_fretting(Draw& draw);
 [[nodiscard]] simulation::FrettingCase random_hot_fretting(Draw& draw); ///< with the heat of friction
+/// With wear of one or both surfaces, from a thousandth of the approach to three times as much in a pass or a cycle; half of the
+/// cases with the heat of friction, too.
+[[nodiscard]] simulation::TuggingCase random_worn_rubbing(Draw& draw);
+[[nodiscard]] simulation::RollingCase random_worn_skidding(Draw& draw);
+[[nodiscard]] simulation::RollingCase random_worn_creeping(Draw& draw);
+[[nodiscard]] simulation::FrettingCase random_worn_fretting(Draw& draw);
 
 } // namespace brinell::verification

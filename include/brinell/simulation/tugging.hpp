@@ -152,6 +152,12 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     common::heated[4],
     common::heated[5],
     common::heated[6],
+    common::worn[0],
+    common::worn[1],
+    common::worn[2],
+    common::worn[3],
+    common::worn[4],
+    common::worn[5],
 });
 
 } // namespace brinell::simulation

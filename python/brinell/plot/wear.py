@@ -69,13 +69,17 @@ def _way(run: Run) -> tuple[FloatArray, str]:
         return history["way"], "way slid"
     if "displacement" in history:
         return np.cumsum(np.abs(np.diff(history["displacement"], prepend=0.0))), "way to and fro"
+    if "theta" in history:  # of two asperities; the way back from pass to pass is without contact
+        distance = np.hypot(history["X"], history["height"])  # of the centres
+        slid = distance[1:] * np.diff(history["theta"])
+        return np.cumsum(np.append(0.0, np.where(np.diff(history["pass"]) == 0, slid, 0.0))), "way slid"
     return history["step"].astype(float), "step"
 
 
 def _volume(largest: float) -> Scale:
     """Scale of volumes in SI without a prefix, which would apply to the length and not to the volume."""
     for size, unit in ((1e-9, "mm³"), (1e-18, "µm³")):
-        if largest >= size:
+        if largest >= 0.01 * size:
             return Scale(size, "", unit)
     return Scale(1e-27, "", "nm³")
 

@@ -38,10 +38,9 @@ consteval std::size_t arity()
 /// Of the totals: both volumes and depths, the largest step and the work of wear.
 constexpr std::size_t members_of_wear = 6;
 
-/// Rows of scenarios in which the surfaces may wear.
+/// Rows of scenarios in which the surfaces may wear: where they slip.
 template <typename Row>
-constexpr bool wears =
-    std::same_as<Row, SlidingRecord> || std::same_as<Row, RollingRecord> || std::same_as<Row, FrettingRecord>;
+constexpr bool wears = std::derived_from<Row, FrictionRecord>;
 
 /// Members of what a row derives from: those of the totals without the coverage, the work of expansion, which is nothing where
 /// nothing heats, and what wears; and its own beside this base.
