@@ -65,8 +65,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     heating_ = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
         *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_, partial_slip() != nullptr});
-  if (sliding.wear.wears() && twin != Twin::none)
-    throw InternalError("CoupledContact: bodies whose surfaces wear are not twins");
+  if (twin != Twin::none && !sliding.wear.is_alike())
+    throw InternalError("CoupledContact: bodies of which one wears more are not twins");
   if (sliding.wear.wears())
     wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear,
                                    contact_modulus(lower_material.elastic, upper_material.elastic));

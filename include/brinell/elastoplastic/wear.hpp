@@ -25,6 +25,8 @@ struct WearLaw
 
   [[nodiscard]] double sum() const { return lower + upper; }
   [[nodiscard]] bool wears() const { return sum() > 0.0; }
+  /// Whether mirror images stay mirror images.
+  [[nodiscard]] bool is_alike() const { return lower == upper; }
   bool operator==(const WearLaw&) const = default;
 };
 

@@ -117,18 +117,37 @@ TEST(TuggingWear, OfFrictionWorkIsThatShareOfIt)
   expect_refused(c, "interface.wear.law", "interface.friction = 0");
 }
 
-// The bodies are solved one by one, and still are mirror images of each other: to the tolerances of the solver.
+// Equal bodies are mirror images of each other, whether one of them or both are solved: to the tolerances of the solver.
 TEST(TuggingWear, OfEqualBodiesIsTheSame)
 {
-  const Result r = computed(equal_balls());
-  const BodySnapshot &lower = r.summary.final_state.lower, &upper = r.summary.final_state.upper;
-  ASSERT_EQ(lower.worn_depth.size(), upper.worn_depth.size());
-  const SurfaceGrid& grid = lower.grid.surface;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      EXPECT_NEAR(lower.worn_depth[grid.index(i, j)], upper.worn_depth[grid.index(grid.nx - 1 - i, j)],
-                  1e-4 * r.summary.max_worn_depth_lower);
-  EXPECT_EQ(r.summary.worn_volume_lower, r.summary.worn_volume_upper);
+  TuggingCase c = equal_balls();
+  c.passes = 2;
+  ASSERT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
+  const Result one = computed(c);
+  c.solver.mirror = false;
+  const Result both = computed(c);
+  for (const Result* r : {&one, &both})
+  {
+    const BodySnapshot &lower = r->summary.final_state.lower, &upper = r->summary.final_state.upper;
+    ASSERT_EQ(lower.worn_depth.size(), upper.worn_depth.size());
+    const SurfaceGrid& grid = lower.grid.surface;
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        EXPECT_NEAR(lower.worn_depth[grid.index(i, j)], upper.worn_depth[grid.index(grid.nx - 1 - i, j)],
+                    1e-4 * r->summary.max_worn_depth_lower);
+    EXPECT_EQ(r->summary.worn_volume_lower, r->summary.worn_volume_upper);
+  }
+  for (std::size_t i = 0; i < one.history.size(); ++i)
+  {
+    EXPECT_NEAR(one.history[i].F_X, both.history[i].F_X, 1e-4 * both.summary.peak_F_X) << i;
+    EXPECT_NEAR(one.history[i].worn_volume_lower, both.history[i].worn_volume_lower,
+                1e-4 * both.summary.worn_volume_lower)
+        << i;
+  }
+  EXPECT_NEAR(one.summary.dissipation_lower / both.summary.dissipation_lower, 1.0, 1e-3);
+  c.solver.mirror = true;
+  c.wear.upper *= 2.0;
+  EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
 }
 
 TEST(TuggingWear, OfNearlyNothingIsTheRunWithout)

@@ -264,6 +264,27 @@ TEST(WearTest, LeavesAloneWhatHasNoCoefficient)
   EXPECT_EQ(without.summary.work_of_wear, 0.0);
 }
 
+// Mirror images that wear alike, whether one of them or both are solved: to the tolerances of the solver.
+TEST(WearTest, OfMirrorImagesInFrettingIsTheSame)
+{
+  FrettingCase c = fretting();
+  c.lower = c.upper = {Paraboloid{1e-3, 1e-3}, soft_steel};
+  c.wear = {.lower = 2e-13, .upper = 2e-13};
+  ASSERT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
+  const Result<FrettingCase> one = computed(c);
+  c.solver.mirror = false;
+  const Result<FrettingCase> both = computed(c);
+  for (std::size_t i = 0; i < one.history.size(); ++i)
+    EXPECT_NEAR(one.history[i].force, both.history[i].force, 1e-4 * c.friction.coefficient * c.press.value) << i;
+  EXPECT_GT(both.summary.dissipation_lower, 0.0);
+  EXPECT_NEAR(one.summary.dissipation_lower / both.summary.dissipation_lower, 1.0, 1e-3);
+  EXPECT_NEAR(one.summary.worn_volume_lower / both.summary.worn_volume_lower, 1.0, 1e-4);
+  EXPECT_NEAR(one.summary.max_worn_depth_upper / both.summary.max_worn_depth_upper, 1.0, 1e-3);
+  c.solver.mirror = true;
+  c.wear.upper = 1e-13;
+  EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
+}
+
 // A coefficient so small that nothing it wears is seen by a double gives the run without wear, through all of its arithmetic.
 TEST(WearTest, OfNearlyNothingIsTheRunWithout)
 {
