@@ -73,6 +73,24 @@ TEST(LoadedTugging, FrictionTakesTheSameOnEveryMesh)
   }
 }
 
+// Without friction the net energy is a small difference of what the load does on its way down and up.
+TEST(LoadedTugging, NetEnergyIsWithinItsExpectedError)
+{
+  const auto run = [](double cells) { return computed(under_load(perfect_material(), 10.0, cells)).summary.work; };
+  const double fine = run(slow_build ? 8.0 : 14.0);
+  for (const double cells : {4.0, 6.0, 8.0})
+  {
+    const simulation::TuggingCase t = under_load(perfect_material(), 10.0, cells);
+    const auto errors = simulation::expected_quality(t, simulation::plan(t)).resolution.expected_errors;
+    const auto stated =
+        std::find_if(errors.begin(), errors.end(), [](const auto& e) { return e.quantity == "net energy"; });
+    ASSERT_NE(stated, errors.end());
+    test::expect_close("net energy of a pass under a load, " + std::to_string(std::lround(cells)) + " cells per radius",
+                       run(cells) / fine, 1.0, 1.5 * stated->relative,
+                       "14 cells; the expected error is an estimate to half of itself");
+  }
+}
+
 TEST(LoadedTugging, EnergyBalances)
 {
   // Work of F_X along X and of F_Z along the height that the upper body rises and sinks. Plastic strain ends up in both.

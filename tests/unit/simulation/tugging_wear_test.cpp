@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wear of two asperities that pass each other.
-#include "brinell/simulation/run.hpp"
 #include "brinell/simulation/tugging.hpp"
 #include "scenario_checks.hpp"
 #include "sliding_cases.hpp"
+#include "worn_runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 namespace brinell::simulation::tugging_wear_test
@@ -54,27 +52,6 @@ double slip(const TuggingCase& c, const TuggingRecord& before, const TuggingReco
   return (sum - interference) * (now.theta - before.theta);
 }
 
-double volume(const BodySnapshot& body)
-{
-  return std::accumulate(body.worn_depth.begin(), body.worn_depth.end(), 0.0) * body.grid.surface.cell_area();
-}
-
-struct Result
-{
-  std::vector<TuggingRecord> history;
-  TuggingSummary summary;
-};
-
-Result computed(const TuggingCase& c)
-{
-  Result result;
-  simulation::Run run(c);
-  while (!run.is_done())
-    result.history.push_back(run.step());
-  result.summary = run.summary();
-  return result;
-}
-
 // Without a speed, too: the way of the surfaces is known from the motion.
 TEST(TuggingWear, OfEachBodyIsLoadTimesWay)
 {
@@ -87,7 +64,7 @@ TEST(TuggingWear, OfEachBodyIsLoadTimesWay)
   offset.offset = 0.02 * radius;
   for (const TuggingCase& c : {balls(), by_load, twice, offset})
   {
-    const Result r = computed(c);
+    const WornRun<TuggingCase> r = worn(c);
     double load_times_way = 0.0;
     for (std::size_t i = 1; i < r.history.size(); ++i)
       if (r.history[i].pass == r.history[i - 1].pass)
@@ -95,8 +72,8 @@ TEST(TuggingWear, OfEachBodyIsLoadTimesWay)
     ASSERT_GT(load_times_way, 0.0);
     EXPECT_NEAR(r.summary.worn_volume_lower / (c.wear.lower * load_times_way), 1.0, 1e-9);
     EXPECT_NEAR(r.summary.worn_volume_upper / (c.wear.upper * load_times_way), 1.0, 1e-9);
-    EXPECT_NEAR(volume(r.summary.final_state.lower) / r.summary.worn_volume_lower, 1.0, 1e-12);
-    EXPECT_NEAR(volume(r.summary.final_state.upper) / r.summary.worn_volume_upper, 1.0, 1e-12);
+    EXPECT_NEAR(worn_volume(r.summary.final_state.lower) / r.summary.worn_volume_lower, 1.0, 1e-12);
+    EXPECT_NEAR(worn_volume(r.summary.final_state.upper) / r.summary.worn_volume_upper, 1.0, 1e-12);
   }
 }
 
@@ -108,9 +85,9 @@ TEST(TuggingWear, OfFrictionWorkIsThatShareOfIt)
     body->material.hardening.reset();
   c.friction.coupling = false;
   c.wear = {.lower = 2e-16, .upper = 1e-16}; // too little to change the pressure
-  const Result by_pressure = computed(c);
+  const WornRun<TuggingCase> by_pressure = worn(c);
   c.wear.kind = elastoplastic::WearLaw::Kind::energy;
-  const Result by_work = computed(c);
+  const WornRun<TuggingCase> by_work = worn(c);
   EXPECT_NEAR(by_work.summary.worn_volume_lower / by_pressure.summary.worn_volume_lower, 0.2,
               1e-5); // tolerance of the contact
   c.friction.coefficient = 0.0;
@@ -123,10 +100,10 @@ TEST(TuggingWear, OfEqualBodiesIsTheSame)
   TuggingCase c = equal_balls();
   c.passes = 2;
   ASSERT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
-  const Result one = computed(c);
+  const WornRun<TuggingCase> one = worn(c);
   c.solver.mirror = false;
-  const Result both = computed(c);
-  for (const Result* r : {&one, &both})
+  const WornRun<TuggingCase> both = worn(c);
+  for (const WornRun<TuggingCase>* r : {&one, &both})
   {
     const BodySnapshot &lower = r->summary.final_state.lower, &upper = r->summary.final_state.upper;
     ASSERT_EQ(lower.worn_depth.size(), upper.worn_depth.size());
@@ -154,9 +131,9 @@ TEST(TuggingWear, OfNearlyNothingIsTheRunWithout)
 {
   TuggingCase c = balls();
   c.wear = {.lower = 1e-40, .upper = 1e-40};
-  const Result nearly = computed(c);
+  const WornRun<TuggingCase> nearly = worn(c);
   c.wear = {};
-  const Result without = computed(c);
+  const WornRun<TuggingCase> without = worn(c);
   ASSERT_EQ(nearly.history.size(), without.history.size());
   for (std::size_t i = 0; i < without.history.size(); ++i)
     EXPECT_EQ(nearly.history[i].F_X, without.history[i].F_X) << i;
@@ -173,7 +150,7 @@ TEST(TuggingWear, KeepsTheBalanceOfEnergy)
   c.resolution = 8.0;
   c.friction.coefficient = 0.05;
   c.wear = {.lower = 1e-12, .upper = 2e-12};
-  const Result r = computed(c);
+  const WornRun<TuggingCase> r = worn(c);
   EXPECT_GT(r.summary.work_of_wear, 0.05 * r.summary.work);
   EXPECT_LT(std::abs(r.summary.energy_balance_error), 0.1 * r.summary.work_of_wear / r.summary.work);
 }
@@ -184,7 +161,7 @@ TEST(TuggingWear, TakesTheForcesFromPassToPass)
   TuggingCase c = balls();
   c.passes = 4;
   c.wear = {.lower = 2e-12, .upper = 2e-12};
-  const Result r = computed(c);
+  const WornRun<TuggingCase> r = worn(c);
   std::vector<double> peaks(4);
   for (const TuggingRecord& row : r.history)
     peaks.at(static_cast<std::size_t>(row.pass - 1)) =
@@ -197,22 +174,7 @@ TEST(TuggingWear, GoesOnFromACheckpointToTheLastDigit)
 {
   TuggingCase c = balls();
   c.passes = 2;
-  simulation::Run whole(c);
-  std::vector<Archive::Fields> checkpoints;
-  while (!whole.is_done())
-  {
-    whole.step();
-    checkpoints.push_back(whole.checkpoint());
-  }
-  for (const std::size_t at : {checkpoints.size() / 4, checkpoints.size() / 2, 2 * checkpoints.size() / 3})
-  {
-    simulation::Run later(c, {}, &checkpoints[at]);
-    while (!later.is_done())
-      later.step();
-    EXPECT_EQ(later.snapshot().lower.worn_depth, whole.snapshot().lower.worn_depth) << at;
-    EXPECT_EQ(later.summary().worn_volume_upper, whole.summary().worn_volume_upper) << at;
-    EXPECT_EQ(later.summary().work, whole.summary().work) << at;
-  }
+  expect_taken_up(c);
 }
 
 } // namespace

@@ -3,17 +3,16 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/rolling.hpp"
-#include "brinell/simulation/run.hpp"
 #include "brinell/simulation/sliding.hpp"
 #include "scenario_checks.hpp"
 #include "sliding_cases.hpp"
+#include "worn_runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -82,29 +81,6 @@ RollingCase rolling()
   return c;
 }
 
-template <typename Case>
-struct Result
-{
-  std::vector<typename Case::Record> history;
-  typename Case::Summary summary;
-};
-
-template <typename Case>
-Result<Case> computed(const Case& c)
-{
-  Result<Case> result;
-  simulation::Run run(c);
-  while (!run.is_done())
-    result.history.push_back(run.step());
-  result.summary = run.summary();
-  return result;
-}
-
-double volume_of(const BodySnapshot& body)
-{
-  return std::accumulate(body.worn_depth.begin(), body.worn_depth.end(), 0.0) * body.grid.surface.cell_area();
-}
-
 TEST(WearTest, IsRefusedWhereItMakesNoSense)
 {
   SlidingCase s = waves();
@@ -136,10 +112,10 @@ TEST(WearTest, OfSlidingAtAMeanGapKeepsTheGap)
   SlidingCase c = waves();
   c.lower.material.hardening.reset();
   c.upper.material.hardening.reset();
-  const double gap = computed(c).history.at(1).mean_gap;
+  const double gap = worn(c).history.at(1).mean_gap;
   c.press = {Kind::mean_gap, gap};
   c.wear = {.lower = 2e-12, .upper = 1e-12}; // a step wears a tenth of the gap
-  const Result<SlidingCase> r = computed(c);
+  const WornRun<SlidingCase> r = worn(c);
   double load_times_way = 0.0;
   for (std::size_t i = 1; i < r.history.size(); ++i)
     if (const double moved = r.history[i].way - r.history[i - 1].way; moved > 0.0)
@@ -165,13 +141,13 @@ TEST(WearTest, OfSlidingBalancesLoadTimesWay)
   for (SlidingCase c : {waves(), ball()})
   {
     c.shift = 0.7 * (c.domain.is_periodic() ? period / 15 : 5e-6); // between the columns of the upper body
-    const Result<SlidingCase> r = computed(c);
+    const WornRun<SlidingCase> r = worn(c);
     const double way = r.history.back().way, load = c.press.value;
     EXPECT_NEAR(r.history.back().worn_volume_lower / (c.wear.lower * load * way), 1.0, 1e-12);
     EXPECT_NEAR(r.history.back().worn_volume_upper / (c.wear.upper * load * way), 1.0, 1e-12);
     const Snapshot& end = r.summary.final_state;
-    EXPECT_NEAR(volume_of(end.lower) / r.history.back().worn_volume_lower, 1.0, 1e-12);
-    EXPECT_NEAR(volume_of(end.upper) / r.history.back().worn_volume_upper, 1.0, 1e-12);
+    EXPECT_NEAR(worn_volume(end.lower) / r.history.back().worn_volume_lower, 1.0, 1e-12);
+    EXPECT_NEAR(worn_volume(end.upper) / r.history.back().worn_volume_upper, 1.0, 1e-12);
     for (const BodySnapshot* body : {&end.lower, &end.upper})
       EXPECT_GE(*std::min_element(body->worn_depth.begin(), body->worn_depth.end()), 0.0);
     EXPECT_EQ(r.summary.max_worn_depth_lower,
@@ -183,15 +159,15 @@ TEST(WearTest, OfSlidingBalancesLoadTimesWay)
 TEST(WearTest, OfRollingBalancesLoadTimesSlip)
 {
   const RollingCase c = rolling();
-  const Result<RollingCase> r = computed(c);
+  const WornRun<RollingCase> r = worn(c);
   // Under load alone the surfaces slip by (1 - share) times the way: load steps press, and nothing slides in them.
   const double slipped = (1.0 - upper_share(c)) * c.distance;
   const RollingPlan p = plan(c);
   EXPECT_NEAR(p.rolling_steps * p.shift, c.distance, 0.5 * p.shift * 2.0);
   const double way = slipped * p.rolling_steps * p.shift / c.distance;
   EXPECT_NEAR(r.summary.worn_volume_lower / (c.wear.lower * c.drive.value * way), 1.0, 1e-12);
-  EXPECT_NEAR(volume_of(r.summary.final_state.lower) / r.summary.worn_volume_lower, 1.0, 1e-12);
-  EXPECT_NEAR(volume_of(r.summary.final_state.upper) / r.summary.worn_volume_upper, 1.0, 1e-12);
+  EXPECT_NEAR(worn_volume(r.summary.final_state.lower) / r.summary.worn_volume_lower, 1.0, 1e-12);
+  EXPECT_NEAR(worn_volume(r.summary.final_state.upper) / r.summary.worn_volume_upper, 1.0, 1e-12);
   EXPECT_NEAR(r.summary.worn_volume_lower, 2.0 * r.summary.worn_volume_upper, 1e-12 * r.summary.worn_volume_lower);
 }
 
@@ -201,7 +177,7 @@ TEST(WearTest, OfFrictionWorkFollowsTheHeat)
 {
   SlidingCase s = waves();
   s.wear.kind = WearLaw::Kind::energy;
-  const Result<SlidingCase> slid = computed(s);
+  const WornRun<SlidingCase> slid = worn(s);
   double work = 0.0; // of a constant load, but for what the shear does on the deformation
   for (std::size_t i = 1; i < slid.history.size(); ++i)
     work += slid.history[i].F_friction * (slid.history[i].way - slid.history[i - 1].way);
@@ -212,32 +188,8 @@ TEST(WearTest, OfFrictionWorkFollowsTheHeat)
   f.steps_per_cycle = 40;
   f.lower.material.hardening.reset();
   f.upper.material.hardening.reset();
-  const Result<FrettingCase> fretted = computed(f);
+  const WornRun<FrettingCase> fretted = worn(f);
   EXPECT_NEAR(fretted.summary.worn_volume_lower / (f.wear.lower * fretted.summary.dissipation_friction), 1.0, 0.03);
-}
-
-template <typename Case>
-void expect_taken_up(const Case& c)
-{
-  simulation::Run<Case> whole(c);
-  std::vector<Archive::Fields> checkpoints;
-  while (!whole.is_done())
-  {
-    whole.step();
-    checkpoints.push_back(whole.checkpoint());
-  }
-  const Snapshot expected = whole.snapshot();
-  for (const std::size_t at : {std::size_t{0}, checkpoints.size() / 3, checkpoints.size() / 2})
-  {
-    simulation::Run<Case> later(c, {}, &checkpoints[at]);
-    while (!later.is_done())
-      later.step();
-    EXPECT_EQ(later.snapshot().lower.worn_depth, expected.lower.worn_depth) << at;
-    EXPECT_EQ(later.snapshot().upper.worn_depth, expected.upper.worn_depth) << at;
-    EXPECT_EQ(later.summary().worn_volume_upper, whole.summary().worn_volume_upper) << at;
-    EXPECT_EQ(later.summary().work_of_wear, whole.summary().work_of_wear) << at;
-    EXPECT_EQ(later.summary().max_wear_step, whole.summary().max_wear_step) << at;
-  }
 }
 
 TEST(WearTest, GoesOnFromACheckpointToTheLastDigit)
@@ -253,13 +205,13 @@ TEST(WearTest, LeavesAloneWhatHasNoCoefficient)
 {
   SlidingCase one = ball();
   one.wear.lower = 0.0;
-  const Result<SlidingCase> r = computed(one);
+  const WornRun<SlidingCase> r = worn(one);
   EXPECT_EQ(r.summary.worn_volume_lower, 0.0);
   EXPECT_EQ(r.summary.max_worn_depth_lower, 0.0);
   EXPECT_GT(r.summary.worn_volume_upper, 0.0);
   SlidingCase none = ball();
   none.wear = {};
-  const Result<SlidingCase> without = computed(none);
+  const WornRun<SlidingCase> without = worn(none);
   EXPECT_TRUE(without.summary.final_state.lower.worn_depth.empty());
   EXPECT_EQ(without.summary.work_of_wear, 0.0);
 }
@@ -271,9 +223,9 @@ TEST(WearTest, OfMirrorImagesInFrettingIsTheSame)
   c.lower = c.upper = {Paraboloid{1e-3, 1e-3}, soft_steel};
   c.wear = {.lower = 2e-13, .upper = 2e-13};
   ASSERT_EQ(plan(c).twin, elastoplastic::Twin::mirror_image);
-  const Result<FrettingCase> one = computed(c);
+  const WornRun<FrettingCase> one = worn(c);
   c.solver.mirror = false;
-  const Result<FrettingCase> both = computed(c);
+  const WornRun<FrettingCase> both = worn(c);
   for (std::size_t i = 0; i < one.history.size(); ++i)
     EXPECT_NEAR(one.history[i].force, both.history[i].force, 1e-4 * c.friction.coefficient * c.press.value) << i;
   EXPECT_GT(both.summary.dissipation_lower, 0.0);
@@ -291,9 +243,9 @@ TEST(WearTest, OfNearlyNothingIsTheRunWithout)
   FrettingCase c = fretting();
   c.solver.mirror = false;
   c.wear = {.lower = 1e-40, .upper = 1e-40};
-  const Result<FrettingCase> nearly = computed(c);
+  const WornRun<FrettingCase> nearly = worn(c);
   c.wear = {};
-  const Result<FrettingCase> without = computed(c);
+  const WornRun<FrettingCase> without = worn(c);
   for (std::size_t i = 0; i < without.history.size(); ++i)
   {
     EXPECT_EQ(nearly.history[i].force, without.history[i].force) << i;
@@ -306,14 +258,14 @@ TEST(WearTest, OfNearlyNothingIsTheRunWithout)
 TEST(WearTest, MirrorsWithTheBodies)
 {
   const SlidingCase c = waves();
-  const Result<SlidingCase> upright = computed(c);
+  const WornRun<SlidingCase> upright = worn(c);
   SlidingCase s = c;
   // Upside down the upper body slides the other way: turned about the vertical axis as well, it is the same run.
   std::swap(s.lower, s.upper);
   std::swap(s.wear.lower, s.wear.upper);
   for (ShapedBody* body : {&s.lower, &s.upper})
     std::get<Sinusoid>(body->texture.parts.front()).x *= -1.0;
-  const Result<SlidingCase> turned = computed(s);
+  const WornRun<SlidingCase> turned = worn(s);
   const double volume = upright.summary.worn_volume_lower;
   EXPECT_NEAR(turned.summary.worn_volume_upper, volume, 1e-12 * volume);
   // The tolerances of the solver.
@@ -327,7 +279,7 @@ TEST(WearTest, KeepsTheBalanceOfEnergy)
   c.lower.material.hardening.reset();
   c.upper.material.hardening.reset();
   c.wear = {.lower = 0.0, .upper = 4e-12};
-  const Result<SlidingCase> r = computed(c);
+  const WornRun<SlidingCase> r = worn(c);
   // The work of the pressure on what is worn is a large part of the whole: left out, the balance would be off by as much.
   EXPECT_GT(r.summary.work_of_wear, 0.01 * r.summary.work);
   EXPECT_LT(std::abs(r.summary.energy_balance_error), 0.1 * r.summary.work_of_wear / r.summary.work);
@@ -350,9 +302,9 @@ TEST(WearTest, AreaOfAScarDoesNotDependOnTheSizeOfTheGrid)
   {
     c.resolution = resolution;
     c.extent = 1.0;
-    const Result<FrettingCase> usual = computed(c);
+    const WornRun<FrettingCase> usual = worn(c);
     c.extent = 1.6;
-    const Result<FrettingCase> wide = computed(c);
+    const WornRun<FrettingCase> wide = worn(c);
     EXPECT_FALSE(usual.summary.grid_changes.empty());
     EXPECT_NEAR(usual.history.back().contact_area / wide.history.back().contact_area, 1.0, 1e-4) << resolution;
   }
@@ -362,12 +314,12 @@ TEST(WearTest, IsToldWhereItIsAnEstimate)
 {
   SlidingCase c = ball();
   c.wear = {.lower = 0.0, .upper = 1e-10};
-  const Result<SlidingCase> r = computed(c);
+  const WornRun<SlidingCase> r = worn(c);
   const Quality q = quality(c, plan(c), r.summary);
   const auto has = [&](const std::string& key)
   { return std::any_of(q.warnings.begin(), q.warnings.end(), [&](const Warning& w) { return w.key == key; }); };
   EXPECT_TRUE(has("long_wear_step"));
-  const Quality usual = quality(ball(), plan(ball()), computed(ball()).summary);
+  const Quality usual = quality(ball(), plan(ball()), worn(ball()).summary);
   for (const Warning& w : usual.warnings)
     EXPECT_NE(w.key, "long_wear_step") << w.text;
 }
