@@ -86,7 +86,7 @@ def main() -> int:
     found = [message for path in texts for message in untidy(path)] + compile_alone(commands, jobs)
     for message in found:
         print(message)
-    print(f"files: {len(commands)} sources compiled alone, {len(texts)} files read, {len(found)} with findings")
+    print(f"files: {len(commands)} sources compiled alone, {len(texts)} files read, {len(found)} findings")
     return 1 if found or not commands else 0
 
 
