@@ -47,8 +47,7 @@ Columns Body::affected_columns(const std::array<std::vector<double>, 3>& load, i
   return {extent.first, extent.last + 1 - extent.first};
 }
 
-/// Places the window of the next evaluation, around what changes since the state before the increment. To be called while the
-/// plastic strain is still that of the state. An increment has one window: where a closing evaluation does not end it, its rest
+/// Places the window of the next evaluation, around what changes since the state before the increment. An increment has one window: where a closing evaluation does not end it, its rest
 /// is as small as the error of a window.
 void Body::choose_window()
 {
@@ -57,8 +56,7 @@ void Body::choose_window()
     return;
   windowed_ = window_->place(
       affected_columns(committed_load_, shift_),
-      {.strain = state_.plastic_strain,
-       .stress = state_.stress,
+      {.stress = state_.stress,
        .thermal_stress = state_.thermal_stress,
        .displacement = {displacement_, displacement_y_.empty() ? std::span<const double>() : displacement_x_,
                         displacement_y_},
@@ -74,7 +72,7 @@ void Body::load_strain()
   if (windowed_)
   {
     const bool all = wanted == halfspace::Displacements::all;
-    window_->load(state_.plastic_strain, layers_, wanted,
+    window_->load(state_.plastic_strain, active_, layers_, wanted,
                   {displacement_, all ? std::span(displacement_x_) : std::span<double>(),
                    all ? std::span(displacement_y_) : std::span<double>()},
                   work_);

@@ -109,17 +109,15 @@ void Window::for_surface_rows(const Use& use) const
 void Window::set_reference(const Reference& reference)
 {
   const auto count = static_cast<std::size_t>(columns_.count);
-  for (std::vector<double>* field : {&strain_, &stress_, &strain_change_, &stress_change_})
-    field->resize(Deviator::size * cells_.size());
+  stress_.resize(Deviator::size * cells_.size());
+  stress_change_.resize(stress_.size());
+  strain_change_.assign(stress_.size(), 0.0);
   for_independent_rows(body_.nz,
                        [&](std::size_t in_body, std::size_t in_window)
                        {
                          for (std::size_t i = 0; i < count; ++i)
-                         {
-                           strain_[in_window + i] = reference.strain[in_body + i];
                            stress_[in_window + i] =
                                reference.stress[in_body + i] - value_at(reference.thermal_stress, in_body + i);
-                         }
                        });
   for (std::size_t t = 0; t < displacement_.size(); ++t)
   {
@@ -170,17 +168,27 @@ Window::Part& Window::operators()
   return *part_;
 }
 
-void Window::load(std::span<const double> strain, int layers, halfspace::Displacements displacements,
-                  const std::array<std::span<double>, 3>& displacement, halfspace::HalfSpace::Work& host)
+/// Updates the change of the strain since the reference, which vanishes outside the active cells.
+void Window::find_strain_change(std::span<const double> strain, const ActiveCells& active)
+{
+  const auto columns = static_cast<std::size_t>(body_.surface.nx);
+  const auto count = static_cast<std::size_t>(columns_.count), first = static_cast<std::size_t>(columns_.first);
+#pragma omp parallel for schedule(static)
+  for (std::size_t a = 0; a < active.size(); ++a)
+  {
+    const std::size_t cell = active.cell(a), row = cell / columns, column = cell % columns;
+    store(deviator_at(strain, body_.size(), cell) - active.start(a), strain_change_, cells_.size(),
+          row * count + column - first);
+  }
+}
+
+void Window::load(std::span<const double> strain, const ActiveCells& active, int layers,
+                  halfspace::Displacements displacements, const std::array<std::span<double>, 3>& displacement,
+                  halfspace::HalfSpace::Work& host)
 {
   layers_ = layers;
   const auto count = static_cast<std::size_t>(columns_.count);
-  for_independent_rows(body_.nz,
-                       [&](std::size_t in_body, std::size_t in_window)
-                       {
-                         for (std::size_t i = 0; i < count; ++i)
-                           strain_change_[in_window + i] = strain[in_body + i] - strain_[in_window + i];
-                       });
+  find_strain_change(strain, active);
   Part& part = operators();
   halfspace::HalfSpace::exchange_buffers(part.work, host);
   loaded_.emplace(part.half_space.load(strain_change_, layers, part.work, displacements, symmetry_));

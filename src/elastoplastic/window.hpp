@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/elastoplastic/active_cells.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
 #include <array>
@@ -48,7 +49,7 @@ public:
   /// A consistent solution for the whole body.
   struct Reference
   {
-    std::span<const double> strain, stress;              ///< deviators
+    std::span<const double> stress;                      ///< deviator
     std::span<const double> thermal_stress;              ///< deviator, included in `stress`; empty: none
     std::array<std::span<const double>, 3> displacement; ///< along z, x and y; empty parts are not needed
     const StoredLoad* load;
@@ -67,10 +68,13 @@ public:
 
   /// Transforms the change of the strain, and writes the displacement of the surface within the window.
   /// @param strain  of the whole body
+  /// @param active  all cells in which the strain may differ from that of the reference, with the latter; they must lie in the
+  ///                window
   /// @param layers  number of layers, from the surface, whose stress will be computed
   /// @param host    work of the whole body, not in use, whose buffers are borrowed
-  void load(std::span<const double> strain, int layers, halfspace::Displacements displacements,
-            const std::array<std::span<double>, 3>& displacement, halfspace::HalfSpace::Work& host);
+  void load(std::span<const double> strain, const ActiveCells& active, int layers,
+            halfspace::Displacements displacements, const std::array<std::span<double>, 3>& displacement,
+            halfspace::HalfSpace::Work& host);
   /// Writes the stress for the strain of the last `load` and a load, in the requested layers and the independent rows of the
   /// window.
   void stress(const halfspace::SurfaceLoad& load, std::span<const double> thermal_stress, std::span<double> stress,
@@ -90,6 +94,7 @@ private:
   [[nodiscard]] std::optional<std::size_t> length_after_request(std::size_t index);
   [[nodiscard]] Part& operators();
   void set_reference(const Reference& reference);
+  void find_strain_change(std::span<const double> strain, const ActiveCells& active);
   template <typename Use>
   void for_independent_rows(int layers, const Use& use) const;
   template <typename Use>
@@ -104,7 +109,7 @@ private:
   std::unique_ptr<Part> part_;                             ///< of the longest length so far, made when first used
   std::vector<double> requests_;                           ///< see `requests`
   std::array<bool, window_shares.size()> has_requested_{}; ///< by the present increment
-  std::vector<double> strain_, stress_;                    ///< of the reference, within the window
+  std::vector<double> stress_;                             ///< of the reference, within the window
   std::array<std::vector<double>, 3> displacement_;        ///< displacement of the reference, within the window
   StoredLoad load_;                                        ///< of the reference
   std::vector<double> strain_change_, stress_change_;

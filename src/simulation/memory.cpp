@@ -42,7 +42,7 @@ double body_bytes(const VolumeGrid& grid, const constitutive::Material& material
   return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
-/// The longest window of a body: its operators, and strain and stress in it with their changes. Its length follows from an
+/// The longest window of a body: its operators, the stress in it, and the changes of strain and stress. Its length follows from an
 /// estimate: contact and flow of a step reach over about two thirds of the grid of the contact (measured).
 double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material,
                     const elastoplastic::Settings& solver, int shears)
@@ -57,7 +57,7 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
     return 0.0;
   VolumeGrid part = grid;
   part.surface.nx = elastoplastic::length_of_window(*window, grid.surface.nx);
-  constexpr double fields = 20.0;
+  constexpr double fields = 15.0;
   return halfspace::memory_of_half_space(part, shears).operators + field_bytes(part, fields);
 }
 
