@@ -25,10 +25,10 @@ template <typename Sides>
 class Rollback
 {
 public:
-  Rollback(std::vector<double>& pressure, std::vector<double>& gap, Sides& sides, Interface* interface,
-           Heating* heating)
-      : pressure_(pressure), gap_(gap), sides_(sides), interface_(interface), heating_(heating),
-        old_pressure_(pressure), old_gap_(gap)
+  Rollback(std::vector<double>& pressure, std::vector<double>& gap, WindowError& window_error, Sides& sides,
+           Interface* interface, Heating* heating)
+      : pressure_(pressure), gap_(gap), window_error_(window_error), sides_(sides), interface_(interface),
+        heating_(heating), old_pressure_(pressure), old_gap_(gap), old_window_error_(window_error)
   {
   }
   ~Rollback()
@@ -37,6 +37,7 @@ public:
       return;
     pressure_.swap(old_pressure_);
     gap_.swap(old_gap_);
+    window_error_ = old_window_error_;
     for (auto& side : sides_)
       side.body.restore();
     if (interface_ != nullptr)
@@ -50,19 +51,17 @@ public:
 
 private:
   std::vector<double>&pressure_, &gap_;
+  WindowError& window_error_;
   Sides& sides_;
   Interface* interface_; ///< nullptr: none
   Heating* heating_;     ///< nullptr: none
   std::vector<double> old_pressure_, old_gap_;
+  WindowError old_window_error_;
   bool committed_ = false;
 };
 
 /// Ratio of errors to tolerances below which the next evaluation is likely to be the last one.
 constexpr double closing_factor = 5.0;
-
-/// Ratio of errors to tolerances below which evaluations are no longer restricted to a window: the error of a window is about as
-/// large, so that more evaluations of it would gain nothing.
-constexpr double window_factor = 20.0;
 
 /// Ratio of errors to tolerances at which the plastic zone is known well enough to decide whether it extends beyond the ends or
 /// sides of a grid. If it does, the increment is repeated on a larger grid without converging first.
@@ -223,6 +222,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   bool closing = strategy.watch_energy || !has_unknowns();
   bool leaves_window = false, has_checked_edges = false;
   std::ptrdiff_t windows_now = 0;
+  double yield_error_before = 0.0;
   for (report.evaluations = 1;; ++report.evaluations)
   {
     if (strategy.wants_stop && strategy.wants_stop())
@@ -259,12 +259,15 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     }
     const std::ptrdiff_t windows_before = std::exchange(windows_now, windows());
     const bool changes_map = windows_now < windows_before;
+    if (changes_map && leaves_window && !grew)
+      window_error_.compare(yield_error_before, report.yield_error);
+    yield_error_before = report.yield_error;
     const bool stalls = !strategy.watch_energy && strategy.anderson_depth > 0 &&
                         stall_rule.stalls(report.yield_error, grew || changes_map || report.evaluations == 1);
     if (report.energy_rose || stalls)
       return report;
     closing = strategy.watch_energy || is_within(closing_factor, report);
-    leaves_window = is_within(window_factor, report);
+    leaves_window = is_within(std::max(closing_factor, window_error_.limit() / settings_.yield_tolerance), report);
     const bool is_near = report.yield_error <= near && report.yield_error >= nearest;
     acceleration.advance(sides_, changes_map, is_near);
   }
@@ -284,7 +287,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   slid_ = strategy.slides ? strategy.slid : 0.0;
   if (interface_)
     begin_friction(placement, strategy, along);
-  Rollback rollback(pressure_, gap_, sides_, interface_.get(), heating_.get());
+  Rollback rollback(pressure_, gap_, window_error_, sides_, interface_.get(), heating_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
   if (wear_)

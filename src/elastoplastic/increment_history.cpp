@@ -38,6 +38,7 @@ void CoupledContact::exchange(Archive& archive)
     archive(std::string(name) + ".column", place->column, -max_columns, max_columns);
     archive(std::string(name) + ".fraction", place->fraction, 0.0, 1.0);
   }
+  archive("window_error", window_error_);
   archive("approach", approach_);
   archive("pressure", pressure_);
   archive("gap", gap_);

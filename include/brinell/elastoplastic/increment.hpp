@@ -9,6 +9,7 @@
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/elastoplastic/sliding.hpp"
 #include "brinell/elastoplastic/wear.hpp"
+#include "brinell/elastoplastic/window_error.hpp"
 
 #include <array>
 #include <cstddef>
@@ -281,6 +282,7 @@ private:
   std::unique_ptr<Wear> wear_;           ///< none without wear
   double slid_ = 0.0;                    ///< Strategy::slid of the current increment, 0 if nothing slides [m]
   std::array<double, 2> driven_along_{}; ///< Interface::direction of the current increment
+  WindowError window_error_;
   Placement placement_;
   double approach_ = 0.0;
   std::vector<double> pressure_, gap_;

@@ -108,6 +108,29 @@ TEST(IncrementTest, ErrorsOfAWindowDoNotMakeLaterOnesStall)
   EXPECT_FALSE(stalls(true));
 }
 
+TEST(IncrementTest, EvaluationsOfAWindowEndWhereItsErrorIsAsLargeAsTheRest)
+{
+  // A model of the increment: each evaluation halves what is left to solve, and all columns find the error of the window on top.
+  const auto last_of_window = [](double error_of_window)
+  {
+    WindowError estimate;
+    double last = 0.0;
+    for (int increment = 0; increment < 20; ++increment) // the estimate falls by half or more at each
+    {
+      for (last = 0.4; last > estimate.limit() && last > 1e-9; last *= 0.5)
+      {
+      }
+      estimate.compare(last, 0.5 * last + error_of_window);
+    }
+    return last;
+  };
+  for (const double error : {1e-8, 1e-6, 1e-4, 1e-2})
+  {
+    EXPECT_GT(last_of_window(error), 0.5 * error) << "evaluations were lost";
+    EXPECT_LT(last_of_window(error), 20.0 * error) << "the window was left too early";
+  }
+}
+
 TEST(IncrementTest, WorkOfTheLoadIsStoredOrDissipated)
 {
   // By the trapezoidal rule from just below first yield, where all is elastic: its error is of second order in the step,
