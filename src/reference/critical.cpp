@@ -12,6 +12,8 @@ namespace brinell::reference
 
 double critical_pressure_ratio(double poisson_ratio)
 {
+  if (poisson_ratio < 0.0) // outside of the fit
+    return first_yield(poisson_ratio).pressure_ratio;
   return 1.30075 + poisson_ratio * (0.87825 + poisson_ratio * 0.54373);
 }
 

@@ -225,8 +225,7 @@ SymTensor line_contact_stress(double x, double z, double half_width, double peak
 
 FirstYield first_yield(double poisson_ratio)
 {
-  if (!(poisson_ratio >= 0.0 && poisson_ratio <= 0.5))
-    throw InputError(fmt::format("Poisson's ratio = {} is outside [0, 0.5].", poisson_ratio));
+  require_within(poisson_ratio, -1.0, 0.5, "Poisson's ratio");
   const double g = 1.0 + poisson_ratio;
   const auto slope = [g](double s)
   {
@@ -235,7 +234,8 @@ FirstYield first_yield(double poisson_ratio)
   };
   const double s = bisected_root(slope, 0.0, 1.0);
   const double largest = 1.5 / (1.0 + s * s) - g * (1.0 - s * std::atan2(1.0, s));
-  return {.pressure_ratio = 1.0 / largest, .depth_ratio = s};
+  const double at_edge = (1.0 - 2.0 * poisson_ratio) / std::numbers::sqrt3;
+  return at_edge > largest ? FirstYield{1.0 / at_edge, 0.0} : FirstYield{1.0 / largest, s};
 }
 
 FirstYield line_contact_first_yield(double poisson_ratio)

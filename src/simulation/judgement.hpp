@@ -58,6 +58,8 @@ struct Facts
   bool is_plane = false;       ///< nothing varies along y
   bool is_patchy =
       false; ///< the contact may lie anywhere in a period, so that its extent does not show the size of its patches
+  std::optional<double> between_ends;   ///< length of a contact that ends at the plane ends of a roller [m]
+  bool is_smooth = false;               ///< neither body has a texture
   std::optional<double> cells_per_wave; ///< cells per shortest wave, for rough flats over a period
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};

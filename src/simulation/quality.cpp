@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace brinell::simulation
@@ -24,6 +25,19 @@ constexpr int fewest_layers = 4;           ///< through the plastic zone
 constexpr double smallest_approach = 1e-9; ///< [m], a few atoms, below which materials are no continuum
 constexpr double lost_share = 0.1; ///< largest part of a profile, over the yield stress, that layers of cells may miss
 constexpr double loose_yield = 1e-2, loose_displacement = 1e-2, loose_contact = 1e-3;
+
+/// Length of a contact, straight along y, that plane ends of one roller or both limit [m].
+std::optional<double> length_between_ends(const Shape& lower, const Shape& upper, const Domain& domain)
+{
+  const auto curvature = relative_curvature(lower, upper);
+  if (domain.y.is_periodic() || !curvature || (*curvature)[1] != 0.0)
+    return std::nullopt;
+  double length = std::numeric_limits<double>::infinity();
+  for (const Shape* shape : {&lower, &upper})
+    if (const auto* roller = std::get_if<Roller>(shape))
+      length = std::min(length, roller->length);
+  return std::isfinite(length) ? std::optional(length) : std::nullopt;
+}
 
 std::string errors_text(const std::vector<ExpectedError>& errors)
 {
@@ -65,6 +79,17 @@ public:
       add("coarse_depth", fmt::format("the plastic zone is only {} layer{} of cells deep; at least {} are needed: use "
                                       "thinner cells (grid.spacing) or a finer grid.resolution",
                                       *layers, *layers == 1 ? "" : "s", fewest_layers));
+  }
+
+  /// Warns of a contact that ends at the plane ends of a roller, where the pressure of a half space is singular.
+  void of_ends()
+  {
+    add("sharp_end",
+        fmt::format("the contact ends at the plane ends of a roller, {} apart: there the pressure grows without limit "
+                    "as the cells become smaller, and with it the largest pressure and plastic strain and the deepest "
+                    "dents and highest pile-up, for which no errors are given; the middle is hardly affected. A height "
+                    "map as lower.texture or upper.texture can round the ends",
+                    length_text(*f_.between_ends)));
   }
 
   /// Warns of layers of the material that contain no centre of a cell and therefore have no effect.
@@ -204,11 +229,13 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   const bool stressed =
       !lower.material.initial_stress.depth().empty() || !upper.material.initial_stress.depth().empty();
   // On textures stand peaks of pressure.
-  if (!stressed && are_smooth(lower, upper))
+  f.is_smooth = are_smooth(lower, upper);
+  if (!stressed && f.is_smooth)
     f.first_yield = plan.first_yield;
   f.solver = numerics.solver;
   f.is_plane = is_plane(plan.contact);
   f.is_patchy = numerics.domain.is_periodic();
+  f.between_ends = length_between_ends(lower.shape, upper.shape, numerics.domain);
   f.cells_per_wave = cells_per_wave(lower, upper, numerics.domain, f.cell[0], f.cell[1]);
   f.textures = {&lower.texture, &upper.texture};
   f.materials = {&lower.material, &upper.material};
@@ -229,11 +256,14 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
   Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], nullptr);
   std::vector<Warning> of_textures;
   warn_of_textures(f, of_textures);
-  // The tables are for surfaces below their shear limit, and whose textures the cells resolve.
-  if (warn_of_expected_flow(f, of_flow) || !of_textures.empty())
+  const bool has_sharp_ends = f.between_ends && f.is_smooth; // ends with a texture may be rounded by it
+  // The tables are for surfaces below their shear limit, whose textures the cells resolve, and without singular pressures.
+  if (warn_of_expected_flow(f, of_flow) || !of_textures.empty() || has_sharp_ends)
     resolution.expected_errors.clear();
   Judge judge(f, std::move(resolution));
   judge.of_cells();
+  if (has_sharp_ends)
+    judge.of_ends();
   for (std::vector<Warning>* warnings : {&of_flow, &of_textures})
     for (Warning& warning : *warnings)
       judge.add(std::move(warning));
@@ -257,10 +287,13 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   Resolution resolution = resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, &totals);
   std::vector<Warning> of_textures;
   warn_of_textures(f, of_textures);
-  if (flows_at_surface(f, totals) || !of_textures.empty()) // see quality_before
+  const bool has_sharp_ends = f.between_ends && (seen.contact_rows + 2) * f.cell[1] >= *f.between_ends;
+  if (flows_at_surface(f, totals) || !of_textures.empty() || has_sharp_ends) // see quality_before
     resolution.expected_errors.clear();
   Judge judge(f, std::move(resolution));
   judge.of_cells();
+  if (has_sharp_ends)
+    judge.of_ends();
   judge.of_depth();
   for (Warning& warning : of_textures)
     judge.add(std::move(warning));

@@ -115,10 +115,12 @@ struct FirstYield
   double depth_ratio = 0.0;    ///< depth over contact radius, or half-width of a line contact [-]
 };
 
-/// First yield by von Mises on the axis of a point contact, exact: the largest of
-///     sigma_vm/p0 = 3/2/(1 + s^2) - (1 + nu)(1 - s acot(s)),   s = z/a.
-/// Green's fit `critical_pressure_ratio` is within 0.15 % of C.
-/// @param poisson_ratio  [0, 0.5].
+/// First yield by von Mises of a point contact, exact: on the axis, the largest of
+///     sigma_vm/p0 = 3/2/(1 + s^2) - (1 + nu)(1 - s acot(s)),   s = z/a,
+/// or, for nu below about -0.31, at the edge of the contact, where the stresses along the surface are +-(1 - 2 nu) p0/3:
+///     sigma_vm/p0 = (1 - 2 nu)/sqrt(3)
+/// (Johnson 1985, section 3.4). Green's fit `critical_pressure_ratio` is within 0.15 % of C for nu >= 0.
+/// @param poisson_ratio  (-1, 0.5].
 /// @throws InputError
 [[nodiscard]] FirstYield first_yield(double poisson_ratio);
 

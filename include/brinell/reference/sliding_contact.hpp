@@ -45,7 +45,7 @@ struct SlidingYield
 };
 
 /// First yield by von Mises of a point contact with the shear friction x pressure, by search over the stress.
-/// @param poisson_ratio  [0, 0.5].
+/// @param poisson_ratio  (-1, 0.5].
 /// @param friction       >= 0; 0 gives `first_yield`.
 /// @throws InputError
 [[nodiscard]] SlidingYield sliding_first_yield(double poisson_ratio, double friction);

@@ -31,7 +31,7 @@ def first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
     """First yield (von Mises) of a point contact, exact; without friction on the axis, else by Hamilton (1983).
 
     Args:
-        poisson_ratio: nu, in [0, 0.5] [-].
+        poisson_ratio: nu, in (-1, 0.5] [-].
         friction: shear on the body towards +x over the pressure, >= 0 [-]. From about 0.3 on, the surface yields first.
 
     Raises:
@@ -57,7 +57,11 @@ def line_contact_first_yield(poisson_ratio: float, friction: float = 0.0) -> Fir
 
 
 def critical_pressure_ratio(poisson_ratio: float) -> float:
-    """C(nu) = 1.30075 + 0.87825 nu + 0.54373 nu^2, a fit of p0/S_y at first yield (Green 2005), within 0.15 %."""
+    """C(nu) = 1.30075 + 0.87825 nu + 0.54373 nu^2, a fit of p0/S_y at first yield (Green 2005), within 0.15 %.
+
+    Below nu = 0, where the fit does not hold, the exact value: on the axis, or from nu = -0.31 down at the edge of the
+    contact.
+    """
     require_poisson(poisson_ratio)
     return _core.critical_pressure_ratio(poisson_ratio)
 

@@ -3,8 +3,13 @@
 #include "io/scenarios/scenario_io.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
 
 /// Checks of all scenarios that need more than the schema: whether the bodies can be in contact, whether the grid fits them, and
 /// suspicious values.
@@ -59,29 +64,69 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
          key, last, 100.0 * last);
 }
 
-/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. The same limit is
-/// used in Python (brinell/surfaces/heightmap.py).
+/// Root mean square slope of a part of a texture that is given by numbers; of a dent the ratio of depth to radius.
+double steepness(const simulation::Dent& dent)
+{
+  return std::abs(dent.depth) / dent.radius;
+}
+double steepness(const simulation::Sinusoid& waves)
+{
+  return std::numbers::pi * std::numbers::sqrt2 * std::abs(waves.amplitude) *
+         std::hypot(1.0 / waves.wavelength_x, 1.0 / waves.wavelength_y);
+}
+double steepness(const simulation::RandomSurface& surface)
+{
+  return surface.rms_slope();
+}
+
+/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. The limit for height
+/// maps is also that of Python (brinell/surfaces/heightmap.py).
+class OfHeights
+{
+public:
+  OfHeights(const CaseReader& reader, std::string table, Case& c) : reader_(reader), table_(std::move(table)), case_(c)
+  {
+  }
+
+  void operator()(const simulation::HeightMap& map) const
+  {
+    constexpr double steepest = 10.0; // of single points, which may be outliers
+    const double slope = simulation::rms_slope(map);
+    if (!(slope > steepest))
+      return;
+    const Given* const unit = reader_.raw.find(table_ + ".unit");
+    warn(case_, "steep_texture",
+         "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; {}", table_,
+         slope, map.dx, map.dy,
+         unit ? fmt::format("is {}.unit = {} the unit of the file?", table_, shown(unit->raw))
+              : fmt::format(
+                    "is a unit missing? Heights of a file are in m unless {}.unit names another unit, such as \"um\"",
+                    table_));
+  }
+  template <typename Part>
+  void operator()(const Part& part) const
+  {
+    constexpr double steepest = 1.0; // 45 degrees
+    if (const double slope = steepness(part); slope > steepest)
+      warn(
+          case_, "steep_texture",
+          "{}: its slope is about {:.3g}, too steep for bodies that are computed as half spaces; is a unit missing, as "
+          "in \"0.2 um\"? Plain numbers are in m",
+          table_, slope);
+  }
+
+private:
+  const CaseReader& reader_;
+  std::string table_;
+  Case& case_;
+};
+
 void warn_of_heights(const CaseReader& reader, const std::string& name, const simulation::Texture& texture, Case& c)
 {
-  constexpr double steepest = 10.0; // root mean square slope
   const std::vector<std::string> tables = reader.raw.tables_of(name + ".texture");
   for (std::size_t i = 0; i < texture.parts.size(); ++i)
-    if (const auto* map = std::get_if<simulation::HeightMap>(&texture.parts[i]))
-      if (const double slope = simulation::rms_slope(*map); slope > steepest)
-      {
-        const std::string table = texture.parts.size() == tables.size() ? tables[i] : name + ".texture";
-        const Given* const unit = reader.raw.find(table + ".unit");
-        warn(
-            c, "steep_texture",
-            "{}: the height map has a root mean square slope of {:.3g} between points at {:.3g} x {:.3g} m; "
-            "{}",
-            table, slope, map->dx, map->dy,
-            unit
-                ? fmt::format("is {}.unit = {} the unit of the file?", table, shown(unit->raw))
-                : fmt::format(
-                      "is a unit missing? Heights of a file are in m unless {}.unit names another unit, such as \"um\"",
-                      table));
-      }
+    std::visit(OfHeights(reader, texture.parts.size() == tables.size() ? tables[i] : name + ".texture", c),
+               texture.parts[i]);
 }
 
 /// Warns of wear coefficients that no solid has.
@@ -143,11 +188,26 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   set_first_yield(lower, upper, domain, c);
 }
 
-double smallest_radius(const ShapedBody& body)
+/// Smallest radius of either body in the plane of an axis and the normal [m].
+double smallest_radius(const ShapedBody& lower, const ShapedBody& upper, std::size_t axis)
 {
-  const auto k = simulation::curvature(body.shape);
-  const double largest = k ? std::max(std::abs((*k)[0]), std::abs((*k)[1])) : 0.0;
-  return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const ShapedBody* body : {&lower, &upper})
+    if (const auto k = simulation::curvature(body->shape))
+      largest = std::max(largest, std::abs((*k)[axis]));
+  return 1.0 / largest; // infinite without curvature
+}
+
+/// Warns of a contact so large that the bodies are no half spaces.
+void warn_of_large_contact(const ShapedBody& lower, const ShapedBody& upper, const std::array<double, 2>& half, Case& c)
+{
+  constexpr double large = 0.3;
+  for (std::size_t axis = 0; axis < half.size(); ++axis)
+    if (const double radius = smallest_radius(lower, upper, axis); half[axis] > large * radius)
+      warn(c, "large_contact",
+           "the contact radius along {}, {:.3g} m, is large compared with the bodies (radius {:.3g} m), which are "
+           "computed as half spaces",
+           axis == 0 ? "x" : "y", half[axis], radius);
 }
 
 /// Makes the plan, which detects absurd grids and inconsistent lengths (reported at `key`). With the size of the contact from the
@@ -155,16 +215,10 @@ double smallest_radius(const ShapedBody& body)
 template <typename ScenarioCase>
 void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
 {
-  constexpr double large = 0.3;
   const ScenarioIo<ScenarioCase>& io = io_of(scenario);
   const auto plan = simulation::plan(scenario);
   const double half_x = plan.*io.half_x, half_y = plan.*io.half_y;
-  const double radius = std::min(smallest_radius(scenario.lower), smallest_radius(scenario.upper));
-  if (half_x > large * radius)
-    warn(c, "large_contact",
-         "the contact radius, {:.3g} m, is large compared with the bodies (radius {:.3g} m), which are computed as "
-         "half spaces",
-         half_x, radius);
+  warn_of_large_contact(scenario.lower, scenario.upper, {half_x, half_y}, c);
   const double rows =
       simulation::is_plane(plan.contact) ? plan.contact.dy : half_y; // in plane strain a row may have any length
   if (scenario.spacing)

@@ -159,6 +159,27 @@ TEST(TextureCase, HeightsInAnotherUnitAreWarnedOf)
   EXPECT_NE(steep.front().text.find("slope of 5.83e+04"), std::string::npos) << steep.front().text;
 }
 
+TEST(TextureCase, SlopesOfAMissingUnitAreWarnedOf)
+{
+  const auto warnings = [](const std::string& texture)
+  {
+    const std::vector<Warning> all = parse_case(head + texture, "sample.toml",
+                                                {"upper.material.rigid=false", "upper.material.young_modulus=2e11",
+                                                 "upper.material.poisson_ratio=0.3"})
+                                         .warnings;
+    return std::count_if(all.begin(), all.end(), [](const Warning& w) { return w.key == "steep_texture"; });
+  };
+  EXPECT_EQ(warnings(R"(texture = {type = "dent", depth = 1e-6, radius = 4e-5})"), 0);
+  EXPECT_EQ(warnings(R"(texture = {type = "dent", depth = "1 mm", radius = "600 um"})"), 1);
+  EXPECT_EQ(warnings(R"(texture = {type = "sinusoid", amplitude = "0.2 um", wavelength_x = "20 um"})"), 0);
+  EXPECT_EQ(warnings(R"(texture = {type = "sinusoid", amplitude = 0.2, wavelength_x = "20 um"})"), 1);
+  const std::string rough = R"(texture = {type = "random", hurst = 0.8, rolloff = "20 um", cutoff = "5 um", )"
+                            R"(size = ["40 um", "40 um"], seed = 1, rms_)";
+  EXPECT_EQ(warnings(rough + R"(height = "0.1 um"})"), 0);
+  EXPECT_EQ(warnings(rough + "height = 0.1}"), 1);
+  EXPECT_EQ(warnings(rough + "slope = 5}"), 1);
+}
+
 TEST(TextureCase, OverridesThatMissTheList)
 {
   const std::string list = R"(texture = [{type = "smooth"}, {type = "dent", depth = 1e-6, radius = 4e-5}])";

@@ -2,6 +2,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/critical.hpp"
 #include "brinell/reference/hertz.hpp"
+#include "brinell/reference/sliding_contact.hpp"
 
 #include "gauss.hpp"
 
@@ -55,6 +56,15 @@ TEST(CriticalTest, GreensFitIsNearTheExactFirstYield)
     const double nu = 0.01 * i;
     EXPECT_NEAR(critical_pressure_ratio(nu) / first_yield(nu).pressure_ratio, 1.0, 1.5e-3) << nu << ": stated accuracy";
   }
+}
+
+TEST(CriticalTest, BelowZeroTheEdgeMayYieldFirst)
+{
+  // Independent: the stress under pressure and hardly any shear, searched for the largest von Mises stress.
+  for (const double nu : {-0.9, -0.7, -0.5, -0.35, -0.3, -0.2, -0.1, -0.01})
+    EXPECT_NEAR(critical_pressure_ratio(nu) / sliding_first_yield(nu, 1e-9).pressure_ratio, 1.0, 1e-4) << nu;
+  EXPECT_NEAR(critical_pressure_ratio(-0.5), 0.5 * std::numbers::sqrt3, 1e-12);
+  EXPECT_NEAR(critical_pressure_ratio(-1e-9) / critical_pressure_ratio(0.0), 1.0, 1.5e-3);
 }
 
 /// A line contact that yields, by Green's (2005) closed forms: the approach that he takes has l = 2 R/e.

@@ -313,17 +313,18 @@ TEST(FirstYieldTest, Table)
 
 TEST(FirstYieldTest, IsTheLargestStressOfTheWholeField)
 {
-  for (const double nu : {0.0, 0.3, 0.5})
+  for (const double nu : {-0.9, -0.5, -0.32, -0.3, 0.0, 0.3, 0.5})
   {
     const FirstYield f = first_yield(nu);
-    const double largest = von_mises(point_contact_stress(0.0, 0.0, f.depth_ratio, 1.0, 1.0, nu));
+    const double x = f.depth_ratio > 0.0 ? 0.0 : 1.0; // on the axis or at the edge
+    const double largest = von_mises(point_contact_stress(x, 0.0, f.depth_ratio, 1.0, 1.0, nu));
     EXPECT_NEAR(largest * f.pressure_ratio, 1.0, 16.0 * epsilon);
     for (int i = 0; i < 40; ++i)
       for (int j = 0; j < 40; ++j)
         EXPECT_LE(von_mises(point_contact_stress(0.05 * i, 0.0, 0.05 * j, 1.0, 1.0, nu)),
                   largest * (1.0 + 16.0 * epsilon));
   }
-  EXPECT_THROW((void)first_yield(-0.1), InputError);
+  EXPECT_THROW((void)first_yield(-1.0), InputError);
   EXPECT_THROW((void)first_yield(0.6), InputError);
 }
 

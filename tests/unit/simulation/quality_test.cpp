@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,26 @@ TEST(Quality, CoarseContact)
   EXPECT_EQ(before(c), Keys{"coarse_contact"});
   c.resolution = 1.5;
   EXPECT_NE(expected_quality(c, plan(c)).warnings.at(0).text.find("no number"), std::string::npos);
+}
+
+TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)
+{
+  RollingCase c = ball_on_flat();
+  c.upper.shape = Roller{10e-3, 1e-3};
+  c.drive.value = 1500.0;
+  EXPECT_EQ(before(c), Keys{"sharp_end"});
+  EXPECT_TRUE(expected_quality(c, plan(c)).resolution.expected_errors.empty());
+  RunTotals t = good_totals(c);
+  const double dy = plan(c).contact.dy;
+  t.coverage.contact_rows = static_cast<int>(std::floor(1e-3 / dy));
+  EXPECT_EQ(after(c, t), Keys{"sharp_end"});
+  EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty());
+  t.coverage.contact_rows = static_cast<int>(std::floor(0.8e-3 / dy)); // as with ends that a texture rounds
+  EXPECT_EQ(after(c, t), Keys{});
+  c.domain.y = {Boundary::periodic, 1.0, 1}; // plane strain, the load is that of 1 m
+  c.drive.value = 1.5e6;
+  c.upper.shape = Roller{10e-3, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(before(c), Keys{});
 }
 
 TEST(Quality, ExpectedErrorsFollowTheTables)
