@@ -12,7 +12,7 @@ from typing import IO, Any, ParamSpec, TextIO, TypeVar
 
 import click
 
-from brinell.case import CaseWarning
+from brinell.case import CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, InputError
 
 __all__ = ["CommandError", "folder_of", "reports_errors", "reports_warnings"]
@@ -50,6 +50,10 @@ def reports_errors(command: Callable[_P, _R]) -> Callable[_P, _R]:
     return wrapper
 
 
+_OF_THE_PROGRAM = (CaseWarning, ResolutionWarning, FutureWarning)
+"""Warnings that are printed like those of the C++ program."""
+
+
 @contextlib.contextmanager
 def reports_warnings(about: object = None, words: Callable[[str], str] = str) -> Iterator[None]:
     """Prints warnings as lines in the style of the C++ program, each text only once.
@@ -68,7 +72,7 @@ def reports_warnings(about: object = None, words: Callable[[str], str] = str) ->
         file: TextIO | None = None,
         line: str | None = None,
     ) -> None:
-        prefix = "brinell: warning" if issubclass(category, CaseWarning | FutureWarning) else category.__name__
+        prefix = "brinell: warning" if issubclass(category, _OF_THE_PROGRAM) else category.__name__
         translated = words(str(message))
         text = f"{prefix}: {translated}" if about is None else f"{prefix}: {about}: {translated}"
         if text not in printed:

@@ -85,6 +85,15 @@ def test_table_equals_single_runs(tmp_path: Path) -> None:
     assert record["versions"]["brinell"] == brinell.__version__
 
 
+def test_warnings_of_the_runs_are_told(tmp_path: Path) -> None:
+    over = {"grid.resolution": [2.0, 7.0], "tugging.interference": [0.5]}
+    with pytest.warns(brinell.ResolutionWarning, match=r"of 2 runs have warnings: .*coarse_contact \(1\)"):
+        result = sweep(tmp_path, over, workers=1)
+    assert result.warnings["coarse_contact"] == [0]
+    of_first = {key for key, runs in result.warnings.items() if 0 in runs}
+    assert {warning.key for warning in result.runs[0].warnings} == of_first
+
+
 def test_the_same_sweep_computes_only_what_is_missing(tmp_path: Path) -> None:
     first = sweep(tmp_path)
     before = written(tmp_path)
@@ -189,7 +198,8 @@ def test_command(case_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[
     assert exit_code(case_file, *over, "-o", output, "--workers", 1, "--quiet") == 1
     printed = capsys.readouterr()
     assert printed.out == ""
-    assert printed.err.startswith("brinell: run 1: pass 1")
+    assert "brinell: warning: 1 of 1 runs have warnings: coarse_contact (1)" in printed.err
+    assert "\nbrinell: run 1: pass 1" in printed.err
     assert pd.read_csv(output / "table.csv")["status"].tolist() == ["done", "failed"]
 
     over = ["--over", "tugging.interference=1:2", "--design", "latin-hypercube", "--samples", "2"]

@@ -35,6 +35,8 @@ def _worn(run: Run) -> list[tuple[str, BodyFields, FloatArray]]:
 def worn_profiles(run: Run) -> Figure | None:
     """The worn depth of each surface at the end, along and across the motion through its deepest place.
 
+    In plane strain, where nothing varies across, along the motion only.
+
     Returns:
         None if nothing is worn.
     """
@@ -43,22 +45,21 @@ def worn_profiles(run: Run) -> Figure | None:
         return None
     depth = si(max(float(w.max()) for _, _, w in worn), "m")
     length = si(max(float(np.abs(np.concatenate([body.x, body.y])).max()) for _, body, _ in worn), "m")
-    fig = style.new_figure(9.6, 3.5)
-    along, across = fig.subplots(1, 2, sharey=True)
+    panels = 1 if len(worn[0][1].y) == 1 else 2
+    fig = style.new_figure(4.8 * panels, 3.5)
+    axes = fig.subplots(1, panels, sharey=True, squeeze=False)[0]
     for side, body, w in worn:
-        row, column = np.unravel_index(np.argmax(w), w.shape)
-        along.plot(body.x / length.size, w[row] / depth.size, label=side, **_LOOKS[side])
-        across.plot(body.y / length.size, w[:, column] / depth.size, label=side, **_LOOKS[side])
-    along.set_title("(a)  along the motion")
-    along.set_xlabel(length.label("", "x"))
-    along.set_ylabel(depth.label("worn depth", "w"))
-    along.set_ylim(bottom=0.0)
-    along.invert_yaxis()
-    across.set_title("(b)  across")
-    across.set_xlabel(length.label("", "y"))
-    for ax in (along, across):
+        deepest = np.unravel_index(np.argmax(w), w.shape)
+        for ax, x, profile in zip(axes, (body.x, body.y), (w[deepest[0]], w[:, deepest[1]]), strict=False):
+            ax.plot(x / length.size, profile / depth.size, label=side, **_LOOKS[side])
+    axes[0].set_ylabel(depth.label("worn depth", "w"))
+    axes[0].set_ylim(bottom=0.0)
+    axes[0].invert_yaxis()
+    for ax, title, symbol in zip(axes, ("(a)  along the motion", "(b)  across"), "xy", strict=False):
+        ax.set_title(title if panels > 1 else "along the motion")
+        ax.set_xlabel(length.label("", symbol))
         ax.margins(x=0.02)
-    across.legend()
+    axes[-1].legend()
     return fig
 
 

@@ -86,11 +86,13 @@ def _symbols(label: str) -> Markup:
 
     >>> _symbols("7.32 P_c")
     Markup('7.32 <i>P</i><sub>c</sub>')
+    >>> _symbols("go_on")
+    Markup('go_on')
     """
     words = []
     for word in label.split(" "):
         letter, mark, index = word.partition("_")
-        is_symbol = mark and len(letter) <= 2 and len(index) <= 2
+        is_symbol = mark and len(index) <= 2 and (len(letter) == 1 or (letter[1:].isdecimal() and len(letter) == 2))
         words.append(Markup("<i>{}</i><sub>{}</sub>").format(letter, index) if is_symbol else Markup.escape(word))
     return Markup(" ").join(words)
 

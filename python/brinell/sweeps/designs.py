@@ -58,7 +58,9 @@ def _values(key: str, axis: Axis) -> list[Value]:
 def _drawn(axes: Mapping[str, Axis], samples: int | None, seed: int) -> list[Point]:
     from scipy.stats import qmc  # slow to import
 
-    if samples is None or samples < 1:
+    if samples is None:
+        raise InputError("samples is missing; a Latin hypercube needs 1 or more")
+    if samples < 1:
         raise InputError(f"samples = {samples}; a Latin hypercube needs 1 or more")
     for key, axis in axes.items():
         count = getattr(axis, "count", None)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import os
 import sys
 import warnings
@@ -19,7 +20,7 @@ from tqdm.auto import tqdm
 
 from brinell import _core
 from brinell._names import warn_of_old_name
-from brinell.case import Case, CaseWarning
+from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import InputError
 from brinell.results import Run, open_run
 from brinell.results.old_format import table_of_today
@@ -59,6 +60,15 @@ class Sweep:
     def failures(self) -> pd.DataFrame:
         """Rows of the table for the failed runs."""
         return self.table[self.table["status"] == "failed"]
+
+    @property
+    def warnings(self) -> Mapping[str, list[int]]:
+        """Indices of the runs that have a warning, by its key; its text is in `Run.warnings` and in the table."""
+        found: dict[str, list[int]] = {}
+        for name in self.table.columns[self.table.columns.str.fullmatch(r"warnings\.\d+\.key")]:
+            for index, key in self.table.set_index("index")[name].dropna().items():
+                found.setdefault(key, []).append(int(index))
+        return {key: sorted(indices) for key, indices in found.items()}
 
     def __repr__(self) -> str:
         return f"<brinell.Sweep {str(self.path)!r}: {len(self.runs)} runs done, {len(self.failures)} failed>"
@@ -144,6 +154,9 @@ def sweep(
         InputError: an axis, the design or the case at some point is invalid (checked before the first run), or the
             folder holds another sweep.
         IoError: the folder cannot be written, another sweep is using it, or the cluster is lost.
+
+    Warns:
+        ResolutionWarning: runs have warnings: how many have which, see `Sweep.warnings`.
     """
     base = case if isinstance(case, Case) else Case.from_file(case)
     axes = _axes(over)
@@ -179,7 +192,20 @@ def sweep(
         finally:
             if len(ledger) > 0:
                 ledger.write()
-    return Sweep(path, ledger.table())
+    result = Sweep(path, ledger.table())
+    _tell_warnings(result)
+    return result
+
+
+def _tell_warnings(result: Sweep) -> None:
+    """Issues one warning for all runs that have warnings."""
+    told = result.warnings
+    if not told:
+        return
+    runs = len(set(itertools.chain.from_iterable(told.values())))
+    each = ", ".join(f"{key} ({len(indices)})" for key, indices in told.items())
+    text = f"{runs} of {len(result.runs)} runs have warnings: {each}; their texts are in the table, columns warnings.*"
+    warnings.warn(text, ResolutionWarning, stacklevel=3)
 
 
 def _axes(over: Mapping[str, Any]) -> dict[str, Axis]:
