@@ -287,6 +287,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   Resolution resolution = resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, &totals);
   std::vector<Warning> of_textures;
   warn_of_textures(f, of_textures);
+  // Rows that an end cuts may lie outside of the contact.
   const bool has_sharp_ends = f.between_ends && (seen.contact_rows + 2) * f.cell[1] >= *f.between_ends;
   if (flows_at_surface(f, totals) || !of_textures.empty() || has_sharp_ends) // see quality_before
     resolution.expected_errors.clear();

@@ -129,6 +129,62 @@ TEST(RollingCreepage, BallsFollowKalker)
   }
 }
 
+/// A rolling ellipsoid whose elastic contact is `length` times as long as wide, with a small spin.
+RollingCase spinning_ellipsoid(double length, double cells)
+{
+  constexpr double R = 0.01;
+  RollingCase c;
+  c.lower = {simulation::Plane{}, {{200e9, 0.25}, {}}};
+  c.upper = c.lower;
+  c.drive = load(100.0);
+  c.friction.coefficient = 0.3;
+  c.creepage = Creepage{0.0, 0.0, 1e-3};
+  c.resolution = cells;
+  c.distance = 1e-3;
+  const auto ratio = [&](double radius_y)
+  {
+    c.upper.shape = simulation::Paraboloid{R, radius_y};
+    const simulation::RollingPlan p = simulation::plan(c);
+    return p.half_width_x / p.half_width_y;
+  };
+  double narrow = 0.02 * R, wide = R;
+  for (int i = 0; i < 60; ++i)
+    (ratio(std::sqrt(narrow * wide)) > length ? narrow : wide) = std::sqrt(narrow * wide);
+  static_cast<void>(ratio(wide));
+  const simulation::RollingPlan p = simulation::plan(c);
+  c.distance = 8.0 * p.half_width_x;
+  const double G = 200e9 / 2.5;
+  const double small = 0.02 * c.friction.coefficient * p.peak_pressure / G; // nearly all of the contact sticks
+  c.creepage = Creepage{0.0, 0.0, small / std::sqrt(p.half_width_x * p.half_width_y)};
+  return c;
+}
+
+TEST(RollingCreepage, TheMomentOfASpinIsWithinItsExpectedError)
+{
+  // M = C33 G (a b)^2 phi of a small spin, nu = 1/4 (Kalker 1967), by the ratio a/b of an ellipse longer along the motion.
+  struct Row
+  {
+    double length, C33, cells;
+  };
+  for (const Row& row : {Row{1.0, 1.19, 8.0}, Row{2.0, 0.819, 8.0}, Row{10.0 / 3.0, 0.674, 8.0},
+                         Row{10.0 / 3.0, 0.674, 16.0}, Row{5.0, 0.601, 16.0}})
+  {
+    const RollingCase c = spinning_ellipsoid(row.length, row.cells);
+    const simulation::RollingPlan p = simulation::plan(c);
+    const double area = p.half_width_x * p.half_width_y;
+    const double exact = row.C33 * (200e9 / 2.5) * area * area * c.creepage->spin;
+    const double error = at_the_end(c, computed(c)).M_z / exact - 1.0;
+    double stated = 0.0;
+    for (const simulation::ExpectedError& e : simulation::expected_quality(c, p).resolution.expected_errors)
+      if (e.quantity == "spin moment")
+        stated = e.relative;
+    std::printf("  a/b %.2f, %.0f cells: error of C33 %.3f, expected %.3f\n", row.length, row.cells, error, stated);
+    EXPECT_GT(error, 0.0);
+    EXPECT_LE(error, stated) << row.length;
+    EXPECT_LE(stated, 5.0 * error) << row.length << ": says nothing";
+  }
+}
+
 TEST(RollingCreepage, LargeCreepageFollowsCoulomb)
 {
   // All slips: friction times load against the slip, to the angle by which displacements across the creepage turn it.
@@ -185,6 +241,7 @@ RollingCase yielding(double cells, const Creepage& creepage, bool are_alike)
     c.upper.material.hardening = constitutive::LinearHardening{2.2e9, 30e9};
     c.drive = ball_on_flat(track_steel(20e9), 4.4e9, 1e-3).drive;
   }
+  c.creepage = Creepage{0.0, 0.0, 1e-3};
   c.resolution = cells;
   c.friction.coefficient = 0.3;
   c.creepage = creepage;

@@ -217,14 +217,15 @@ def _pressure(ax: Axes, course: Course) -> None:
 
 
 def _residual_depth(ax: Axes, course: Course) -> None:
-    depth = course.scales.displacement(course.largest("max_residual_lower", "max_residual_upper"))
-    course.draw(ax, "max_residual_lower", depth, "lower body", _LOWER)
-    course.draw(ax, "max_residual_upper", depth, "upper body", _UPPER)
     ax.set_title("residual depth")
-    if course.largest("max_residual_lower", "max_residual_upper") == 0.0:
-        ax.text(0.5, 0.5, "nothing yields", transform=ax.transAxes, ha="center", va="center", color="0.4")
+    largest = course.largest("max_residual_lower", "max_residual_upper")
+    if largest == 0.0:
+        ax.text(0.5, 0.5, "nothing has yielded", transform=ax.transAxes, ha="center", va="center", color="0.4")
         ax.set_yticks([])
         return
+    depth = course.scales.displacement(largest)
+    course.draw(ax, "max_residual_lower", depth, "lower body", _LOWER)
+    course.draw(ax, "max_residual_upper", depth, "upper body", _UPPER)
     ax.set_ylabel(depth.label("", r"u^r_{\max}"))
     ax.set_ylim(bottom=0.0)
     _headroom(ax, 1.2)

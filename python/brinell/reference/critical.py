@@ -28,7 +28,10 @@ class FirstYield:
 
 
 def first_yield(poisson_ratio: float, friction: float = 0.0) -> FirstYield:
-    """First yield (von Mises) of a point contact, exact; without friction on the axis, else by Hamilton (1983).
+    """First yield (von Mises) of a point contact, exact.
+
+    Without friction it is on the axis, or below nu = -0.31 at the edge of the contact.
+    With friction by Hamilton (1983).
 
     Args:
         poisson_ratio: nu, in (-1, 0.5] [-].
