@@ -23,7 +23,7 @@ results := results/tugging-paper
 .PHONY: build test run setup format check tidy sanitize sanitize-fast package count bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
-setup: build/.setup-packages .venv/.setup-done
+setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
 
 build/.setup-packages: tools/setup.sh
 	@tools/setup.sh packages
@@ -32,7 +32,11 @@ build/.setup-packages: tools/setup.sh
 python_sources = pyproject.toml VERSION CMakeLists.txt $(shell find include src apps python/bindings -type f)
 
 .venv/.setup-done: tools/setup.sh $(python_sources) | build/.setup-packages
-	@mkdir -p build && flock build tools/setup.sh python
+	@mkdir -p build/release && flock build/release tools/setup.sh python
+	@touch $@
+
+.venv/.extras-done: pyproject.toml | .venv/.setup-done
+	@flock build/release tools/setup.sh extras
 	@touch $@
 
 # --- Build: configured once per preset, later by Ninja itself. The lock keeps two makes out of one build tree. --------
@@ -44,7 +48,7 @@ build: build/release/build.ninja
 	flock build/release cmake --build --preset release --parallel $(JOBS)
 
 # --- Test: both runners always run; the status is that of the worse one -----------------------------------------------
-test: build .venv/.setup-done
+test: .venv/.setup-done .venv/.extras-done build
 	@tools/setup.sh test
 	@status=0; \
 	ctest --preset release --parallel $(JOBS) || status=1; \
@@ -67,12 +71,12 @@ run: .venv/.setup-done
 # --- Quality ----------------------------------------------------------------------------------------------------------
 cxx_files = $(shell find include src apps tests bench python/bindings -name '*.[ch]pp')
 
-format: build/.setup-packages .venv/.setup-done
+format: build/.setup-packages .venv/.extras-done
 	@clang-format -i $(cxx_files)
 	.venv/bin/ruff check --quiet --fix-only python
 	.venv/bin/ruff format --quiet python
 
-check: build/.setup-packages .venv/.setup-done
+check: build/.setup-packages .venv/.extras-done
 	@clang-format --dry-run -Werror --ferror-limit=1 $(cxx_files) || { echo "'make format' mends it"; exit 1; }
 	@echo "format: $(words $(cxx_files)) files"
 	@python3 tools/check_layers.py
@@ -84,7 +88,7 @@ check: build/.setup-packages .venv/.setup-done
 tidy: build/tidy/build.ninja build/files/build.ninja
 	@tools/setup.sh tidy
 	@set -e; for preset in tidy files; do flock build/$$preset cmake --build --preset $$preset --target brinell_version; done
-	run-clang-tidy -quiet -p build/tidy -j $(JOBS) -checks=-bugprone-suspicious-include "/brinell(_app|_program)?\.dir/Unity/"
+	run-clang-tidy -quiet -p build/tidy -j $(JOBS) -checks=-bugprone-suspicious-include "/brinell_(numerics|simulation|io|app|program)\.dir/Unity/"
 	python3 tools/check_files.py build/files $(JOBS)
 
 sanitize: build/sanitize/build.ninja
@@ -126,7 +130,7 @@ bench: build
 	done
 
 # --- Documentation: warnings are errors; the tutorials are run --------------------------------------------------------
-.venv/.docs-done: docs/requirements.txt .venv/.setup-done
+.venv/.docs-done: docs/requirements.txt .venv/.extras-done
 	@.venv/bin/pip install --quiet --disable-pip-version-check -r docs/requirements.txt
 	@touch $@
 

@@ -27,8 +27,8 @@ function(brinell_add_tests label timeout)
   add_executable(brinell_${label}_tests ${ARGN})
   target_link_libraries(brinell_${label}_tests PRIVATE
     brinell_test_support brinell brinell_flags GTest::gtest GTest::gtest_main)
-  # Half of the time of compiling them optimises what runs once; what takes long in a test is in the library.
-  if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug" OR BRINELL_SANITIZE)
+  # What takes long in a test is in the library.
+  if(BRINELL_SANITIZE)
     target_compile_options(brinell_${label}_tests PRIVATE -O1)
   endif()
   # A third of the time of compiling; for the many temporaries of assertions, not for what is tested.
