@@ -111,10 +111,10 @@ package: build/.setup-packages .venv/.setup-done
 
 # Whether the engine works more than it did: instructions of small runs, in the wheel that `make package` has made for every
 # processor. COUNT_ARGS=--record makes the counts the new measure.
-count: wheels = dist/*-1baseline-*$(shell python3 -c 'import sys; v = sys.version_info; print("abi3" if v >= (3, 12) else "cp%d%d-manylinux" % v[:2])')*.whl
+count: wheels = dist/*$(shell python3 -c 'import sys; v = sys.version_info; print("abi3" if v >= (3, 12) else "cp%d%d-manylinux" % v[:2])')*.whl
 count: build/.setup-packages
 	tools/setup.sh count
-	@ls $(wheels) >/dev/null 2>&1 || { echo "make count: no wheel in dist for this Python; say 'make package PROCESSORS=x86-64' first" >&2; exit 1; }
+	@ls $(wheels) >/dev/null 2>&1 || { echo "make count: no wheel in dist for this Python; say 'make package' first" >&2; exit 1; }
 	python3 -m venv --clear build/count
 	build/count/bin/pip install --quiet --disable-pip-version-check $(wheels)
 	python3 bench/instructions.py build/count/bin/python $(COUNT_ARGS)
