@@ -78,7 +78,7 @@ def rendered(rows: list[Row]) -> str:
     """The tables: a section per machine and number of threads, a table per question."""
     lines: list[str] = []
     for machine, threads in dict.fromkeys((row["machine"], row["threads"]) for row in rows):
-        lines += [f"### {machine}; {threads} thread{'s' if threads != '1' else ''}", ""]
+        lines += [f"## {machine}; {threads} thread{'s' if threads != '1' else ''}", ""]
         own = [row for row in rows if (row["machine"], row["threads"]) == (machine, threads)]
         families = dict.fromkeys([*QUESTIONS, *(row["benchmark"].split("/")[0] for row in own)])
         for family in families:
