@@ -13,7 +13,6 @@ from __future__ import annotations
 import os
 import sys
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 from brinell import _processor  # noqa: F401 (checks the processor before the extension is loaded)
@@ -24,65 +23,88 @@ if "OMP_WAIT_POLICY" not in os.environ:
     os.environ.setdefault("GOMP_SPINCOUNT", "1000")
     os.environ["OMP_WAIT_POLICY"] = "passive"
 
-from brinell import _core, constitutive, contact, elastoplastic, green, halfspace, heat, reference, scenarios, surfaces
-from brinell._arguments import explain_argument_errors
-from brinell._names import did_you_mean
-from brinell.bodies import (
-    Berkovich,
-    Body,
-    Bump,
-    Cone,
-    Cylinder,
-    Dent,
-    Ellipsoid,
-    Flat,
-    RandomSurface,
-    Sinusoid,
-    Sphere,
-    Vickers,
-)
-from brinell.case import Case, CaseWarning, ResolutionWarning
-from brinell.errors import (
-    ArgumentError,
-    BrinellError,
-    ConvergenceError,
-    GridError,
-    InputError,
-    InternalError,
-    IoError,
-    MissingExtraError,
-)
-from brinell.materials import (
-    RIGID,
-    Hollomon,
-    JohnsonCook,
-    Linear,
-    LinearSoftening,
-    Ludwik,
-    Material,
-    Perfect,
-    SofteningTable,
-    Swift,
-    SwiftMicrostrain,
-    Table,
-    Thermal,
-    Voce,
-)
-from brinell.results import Accuracy, Run, RunError, RunWarning
-from brinell.results import open_run as open
-from brinell.scenarios import *  # noqa: F403 (a class for each)
-from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Solver, Wear
-from brinell.stepping import Stepping
-from brinell.surfaces import HeightMap
-
+# Modules are imported when they are first used (PEP 562), so that a command of the engine starts at once. Editors and
+# type checkers see what is here; `_MODULES` below says the same to Python.
 if TYPE_CHECKING:
-    from brinell import asperities, export, plot, report, sweeps
+    from brinell import (
+        asperities,
+        constitutive,
+        contact,
+        elastoplastic,
+        export,
+        green,
+        halfspace,
+        heat,
+        plot,
+        reference,
+        report,
+        surfaces,
+        sweeps,
+    )
+    from brinell.bodies import (
+        Berkovich,
+        Body,
+        Bump,
+        Cone,
+        Cylinder,
+        Dent,
+        Ellipsoid,
+        Flat,
+        RandomSurface,
+        Sinusoid,
+        Sphere,
+        Vickers,
+    )
+    from brinell.case import Case, CaseWarning, ResolutionWarning
+    from brinell.errors import (
+        ArgumentError,
+        BrinellError,
+        ConvergenceError,
+        GridError,
+        InputError,
+        InternalError,
+        IoError,
+        MissingExtraError,
+    )
+    from brinell.materials import (
+        RIGID,
+        Hollomon,
+        JohnsonCook,
+        Linear,
+        LinearSoftening,
+        Ludwik,
+        Material,
+        Perfect,
+        SofteningTable,
+        Swift,
+        SwiftMicrostrain,
+        Table,
+        Thermal,
+        Voce,
+    )
+    from brinell.results import Accuracy, Run, RunError, RunWarning
+    from brinell.results import open_run as open
+    from brinell.scenarios import Fretting, Indentation, Rolling, Sliding, Tugging
+    from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Solver, Wear
+    from brinell.stepping import Stepping
+    from brinell.surfaces import HeightMap
     from brinell.sweeps import sweep
 
-# After a fork by multiprocessing the child process has only the thread that called fork: the engine's threads are gone.
-os.register_at_fork(before=_core.before_fork, after_in_parent=_core.after_fork, after_in_child=_core.after_fork)
+    __version__: str
 
-__version__ = version("brinell")
+
+def _for_the_engine(name: str) -> None:
+    """Calls a function of the extension if that is loaded."""
+    if (engine := sys.modules.get("brinell._core")) is not None:
+        getattr(engine, name)()
+
+
+# After a fork by multiprocessing the child process has only the thread that called fork: the engine's threads are gone.
+os.register_at_fork(
+    before=lambda: _for_the_engine("before_fork"),
+    after_in_parent=lambda: _for_the_engine("after_fork"),
+    after_in_child=lambda: _for_the_engine("after_fork"),
+)
 
 __all__ = [
     "RIGID",
@@ -100,12 +122,14 @@ __all__ = [
     "Dent",
     "Ellipsoid",
     "Flat",
+    "Fretting",
     "Grid",
     "GridError",
     "HeatSource",
     "Heating",
     "HeightMap",
     "Hollomon",
+    "Indentation",
     "InputError",
     "Interface",
     "InternalError",
@@ -120,10 +144,12 @@ __all__ = [
     "Perfect",
     "RandomSurface",
     "ResolutionWarning",
+    "Rolling",
     "Run",
     "RunError",
     "RunWarning",
     "Sinusoid",
+    "Sliding",
     "SofteningTable",
     "Solver",
     "Sphere",
@@ -132,6 +158,7 @@ __all__ = [
     "SwiftMicrostrain",
     "Table",
     "Thermal",
+    "Tugging",
     "Vickers",
     "Voce",
     "Wear",
@@ -152,18 +179,53 @@ __all__ = [
     "sweep",
     "sweeps",
 ]
-__all__ += scenarios.__all__
-explain_argument_errors(sys.modules[__name__])
+
+_MODULES = {
+    "bodies": "Berkovich Body Bump Cone Cylinder Dent Ellipsoid Flat RandomSurface Sinusoid Sphere Vickers",
+    "case": "Case CaseWarning ResolutionWarning",
+    "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
+    "MissingExtraError",
+    "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material Perfect SofteningTable Swift "
+    "SwiftMicrostrain Table Thermal Voce",
+    "results": "Accuracy Run RunError RunWarning",
+    "scenarios": "Fretting Indentation Rolling Sliding Tugging",
+    "settings": "Grid HeatSource Heating Interface Output Solver Wear",
+    "stepping": "Stepping",
+    "surfaces": "HeightMap",
+    "sweeps": "sweep",
+}
+"""Public names by the module that they are from; the other names of `__all__` are modules."""
+
+_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
 
 
 def __getattr__(name: str) -> Any:
-    """Imports the slow modules (those that need pandas and matplotlib) when they are first used."""
-    if name == "sweep":
-        return import_module("brinell.sweeps").sweep
-    if name in ("asperities", "export", "plot", "report", "sweeps"):
-        return import_module(f"brinell.{name}")
-    hint = "" if name.startswith("_") else did_you_mean(name, __all__)  # tools, not users, look up private names
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}{'; ' if hint else ''}{hint.strip()}")
+    """Imports what a public name stands for when it is first used."""
+    if name == "__version__":
+        found: Any = import_module("importlib.metadata").version("brinell")
+    elif name == "open":
+        found = import_module("brinell.results").open_run
+    elif name in _MODULE_OF:
+        found = getattr(import_module(f"brinell.{_MODULE_OF[name]}"), name)
+    elif name in __all__ or _is_module(name):
+        found = import_module(f"brinell.{name}")
+    else:
+        raise AttributeError(_unknown(name))
+    if name in __all__:
+        import_module("brinell._arguments").explain_errors_of(found, f"brinell.{name}")
+    globals()[name] = found
+    return found
+
+
+def _is_module(name: str) -> bool:
+    """Whether a name that is not public is that of a module, as for `brinell.results`."""
+    return not name.startswith("__") and import_module("importlib.util").find_spec(f"brinell.{name}") is not None
+
+
+def _unknown(name: str) -> str:
+    # Tools, not users, look up private names.
+    hint = "" if name.startswith("_") else import_module("brinell._names").did_you_mean(name, __all__)
+    return f"module {__name__!r} has no attribute {name!r}{'; ' if hint else ''}{hint.strip()}"
 
 
 def __dir__() -> list[str]:

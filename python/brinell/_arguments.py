@@ -18,22 +18,30 @@ from typing import Any
 from brinell._names import did_you_mean
 from brinell.errors import ArgumentError
 
-__all__ = ["explain_argument_errors"]
+__all__ = ["explain_argument_errors", "explain_errors_of"]
 
 
 def explain_argument_errors(package: ModuleType) -> None:
-    """Makes the public classes of a package and of its public modules raise `ArgumentError` for wrong arguments.
+    """Makes the public classes of a module and of its public modules raise `ArgumentError` for wrong arguments.
 
     Args:
-        package: package whose `__all__` names the classes and modules. Modules that are imported lazily call this
-            function themselves.
+        package: module whose `__all__` names the classes and modules.
     """
     for name in package.__all__:
-        found = vars(package).get(name)
-        if isinstance(found, ModuleType) and hasattr(found, "__all__"):
-            explain_argument_errors(found)
-        elif isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
-            _explain_errors_of(found, f"{package.__name__}.{name}")
+        explain_errors_of(vars(package).get(name), f"{package.__name__}.{name}")
+
+
+def explain_errors_of(found: object, name: str) -> None:
+    """The same for one class, or for all of a module; nothing for what is neither.
+
+    Args:
+        found: the class or module.
+        name: what the messages call the class.
+    """
+    if isinstance(found, ModuleType) and hasattr(found, "__all__"):
+        explain_argument_errors(found)
+    elif isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
+        _explain_errors_of(found, name)
 
 
 def _explain_errors_of(kind: type, name: str) -> None:

@@ -3,19 +3,22 @@
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Set
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from brinell._built_for import ARCH, FEATURES
 
+if TYPE_CHECKING:
+    from collections.abc import Set
+
 __all__ = ["require_processor"]
 
-_INFO = Path("/proc/cpuinfo")
+_INFO = "/proc/cpuinfo"
 _HOW = "docs/install.md#wheels"
 
 
-def require_processor(features: Set[str] = FEATURES, info: Path = _INFO) -> None:
+def require_processor(features: Set[str] = FEATURES, info: str | os.PathLike[str] = _INFO) -> None:
     """Checks the processor; must be called before the extension is loaded.
 
     Args:
@@ -35,17 +38,16 @@ def require_processor(features: Set[str] = FEATURES, info: Path = _INFO) -> None
         f"this brinell is compiled for {kind}; this one has no {', '.join(missing)}. Install the "
         f"baseline wheel, or compile here by pip install . in the sources ({_HOW})"
     )
-    if Path(sys.argv[0]).name == "brinell":
+    if os.path.basename(sys.argv[0]) == "brinell":
         sys.exit(f"brinell: error: {text}")
     raise ImportError(text)
 
 
-def _flags(info: Path) -> Set[str] | None:
+def _flags(info: str | os.PathLike[str]) -> Set[str] | None:
     """Features of the first processor; None if the file is missing or lists none."""
     try:
-        with info.open(
-            encoding="ascii", errors="replace"
-        ) as lines:  # read only as far as needed: Linux generates the file line by line
+        # Read only as far as needed: Linux generates the file line by line.
+        with open(info, encoding="ascii", errors="replace") as lines:
             flags = next((line for line in lines if line.startswith("flags")), None)
     except OSError:
         return None

@@ -21,11 +21,9 @@ from click.shell_completion import (
 )
 
 from brinell import _core
+from brinell.cli import COMPLETING
 
 __all__ = ["answer", "case_files", "command", "engine_command", "schema_keys"]
-
-VARIABLE = "_BRINELL_COMPLETE"
-"""Environment variable that the shell's script sets when it asks for completions."""
 
 PLACES = {
     "bash": "~/.local/share/bash-completion/completions/brinell",
@@ -52,9 +50,9 @@ _MOST_FILES = 100
 
 def answer(root: click.Command) -> None:
     """Prints the completions and ends the process if a shell asks for them; otherwise returns."""
-    instruction = os.environ.get(VARIABLE)
+    instruction = os.environ.get(COMPLETING)
     if instruction:
-        sys.exit(shell_complete(root, {}, "brinell", VARIABLE, instruction))
+        sys.exit(shell_complete(root, {}, "brinell", COMPLETING, instruction))
 
 
 def case_files(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> list[CompletionItem]:
@@ -121,6 +119,6 @@ def command(shell: str) -> None:
     """
     completion_class = get_completion_class(shell)
     assert completion_class is not None  # click has all of PLACES
-    click.echo(completion_class(click.Command("brinell"), {}, "brinell", VARIABLE).source().strip())
+    click.echo(completion_class(click.Command("brinell"), {}, "brinell", COMPLETING).source().strip())
     # The remark is at the end because zsh requires its own first line.
     click.echo(f"\n# To have this in every new shell, write it into\n#   {PLACES[shell]}")

@@ -22,7 +22,7 @@ import pytest
 from click.shell_completion import ShellComplete
 
 import brinell
-from brinell import _core, cli, completion
+from brinell import _core, cli, completion, python_commands
 from brinell._toml import tomllib
 from brinell.scenarios import SCENARIOS
 
@@ -153,9 +153,22 @@ def test_module_is_the_script(folder: Path) -> None:
     assert module.stdout == called(SCRIPT, "new", "tugging", folder=folder).stdout
 
 
-def test_help_is_fast_and_loads_no_figures(folder: Path) -> None:
-    code = "import sys, brinell.cli; print([m for m in ('matplotlib', 'plotly', 'jinja2', 'dask') if m in sys.modules])"
-    assert called(sys.executable, "-c", code, folder=folder).stdout == "[]\n"
+def test_commands_of_the_engine_load_nothing_else(folder: Path) -> None:
+    code = """if True:
+        import sys, brinell.cli
+        try:
+            brinell.cli.main(sys.argv[1:])
+        finally:
+            print([m for m in sys.modules if m.split(".")[0] in ("numpy", "h5py", "matplotlib", "click", "email")])
+            print([m for m in sys.modules if m.startswith("brinell.")])"""
+    for words in (["--version"], ["check", str(folder / "case.toml")], ["schema", "grid.extent"], ["walk"]):
+        out = called(sys.executable, "-c", code, *words, folder=folder).stdout.splitlines()
+        assert out[-2] == "[]", words
+        needed = {"_processor", "_built_for", "cli", "_core", "errors"}
+        assert {m.removeprefix("brinell.") for m in re.findall(r"'(.*?)'", out[-1])} <= needed, words
+
+
+def test_help_lists_all_commands(folder: Path) -> None:
     listed = called(SCRIPT, "--help", folder=folder).stdout
     for command in _core.commands():
         assert re.search(rf"^  {command.name} +{re.escape(command.help)}$", listed, re.MULTILINE), command.name
@@ -164,7 +177,7 @@ def test_help_is_fast_and_loads_no_figures(folder: Path) -> None:
 @pytest.mark.parametrize("name", cli.COMMANDS)
 def test_commands_of_the_package(name: str, folder: Path) -> None:
     assert name in [command.name for command in _core.commands()]
-    command = cli.root.get_command(click.Context(cli.root), name)
+    command = python_commands.root.get_command(click.Context(python_commands.root), name)
     assert isinstance(command, click.Command)
     page = called(SCRIPT, name, "--help", folder=folder)
     assert page.returncode == 0
@@ -196,7 +209,7 @@ def raising(error: BaseException) -> Callable[[], object]:
     ],
 )
 def test_errors(error: BaseException, code: int, message: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.guarded(raising(error)) == code
+    assert python_commands.guarded(raising(error)) == code
     assert capsys.readouterr().err == message
 
 
@@ -236,7 +249,7 @@ def test_a_closed_pipe_is_no_error(folder: Path) -> None:
 
 def offered(*words: str) -> list[str]:
     """What is offered for the last of the words."""
-    shell = ShellComplete(cli.root, {}, "brinell", completion.VARIABLE)
+    shell = ShellComplete(python_commands.root, {}, "brinell", cli.COMPLETING)
     return [item.value for item in shell.get_completions(list(words[:-1]), words[-1])]
 
 
@@ -268,7 +281,7 @@ def test_keys_are_completed() -> None:
     assert offered("run", "--set", "tugging.in") == ["tugging.interference="]
     assert offered("check", "case.toml", "--set", "grid.s") == ["grid.size=", "grid.spacing="]
     assert offered("cite", "--set", "title=x", "--set", "solver.integration=b") == ["solver.integration=backward_euler"]
-    shell = ShellComplete(cli.root, {}, "brinell", completion.VARIABLE)
+    shell = ShellComplete(python_commands.root, {}, "brinell", cli.COMPLETING)
     assert shell.get_completions(["run", "--set"], "tugging.passes")[0].help.startswith(
         "Number of passes of the upper body"
     )
@@ -288,7 +301,7 @@ def test_case_files_are_completed(folder: Path, monkeypatch: pytest.MonkeyPatch)
     assert offered("check", "ca") == ["case.toml", "cases/mine/case.toml"]
     assert offered("check", "cases/") == ["cases/mine/case.toml"]
     assert offered("check", "cases/mi") == ["cases/mine/case.toml"]
-    shell = ShellComplete(cli.root, {}, "brinell", completion.VARIABLE)
+    shell = ShellComplete(python_commands.root, {}, "brinell", cli.COMPLETING)
     assert [item.type for item in shell.get_completions(["run"], "elsewhere/")] == ["file"]
 
 
@@ -372,7 +385,7 @@ def test_a_grid_that_outgrows_the_memory_is_no_bad_input(capsys: pytest.CaptureF
     def outgrow() -> None:
         raise brinell.GridError("larger grids would need 31 GB")
 
-    assert cli.guarded(outgrow) == 1
+    assert python_commands.guarded(outgrow) == 1
     assert capsys.readouterr().err == "brinell: error: larger grids would need 31 GB\n"
 
 
