@@ -1,5 +1,5 @@
 #!/bin/bash
-# Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP, FFTW and HDF5 inside: for every
+# Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP and HDF5 inside: for every
 # x86-64 processor and for those with AVX2, each for the Pythons in PYTHONS (that of .venv by default). Then tries each wheel in
 # fresh virtual environments, away from the sources: versions, a run by command and from Python, its results, figures.
 # PROCESSORS=x86-64 makes the first ones alone. docs/install.md says what the names mean.

@@ -23,8 +23,7 @@ namespace
 std::string version_text()
 {
   const auto versions = io::library_versions();
-  return fmt::format("brinell {} ({}), FFTW {}, HDF5 {}", versions.brinell, versions.git_hash, versions.fftw,
-                     versions.hdf5);
+  return fmt::format("brinell {} ({}), HDF5 {}", versions.brinell, versions.git_hash, versions.hdf5);
 }
 
 constexpr const char* footer = R"(

@@ -80,7 +80,7 @@ if TYPE_CHECKING:
     from brinell.sweeps import sweep
 
 # After a fork by multiprocessing the child process has only the thread that called fork: the engine's threads are gone.
-os.register_at_fork(before=_core.before_fork, after_in_parent=_core.after_fork, after_in_child=_core.after_fork)
+os.register_at_fork(before=_core.before_fork)
 
 __version__ = version("brinell")
 

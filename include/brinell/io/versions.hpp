@@ -13,7 +13,7 @@ inline constexpr int format_version = 3;
 /// Versions of the program and libraries that computed a result.
 struct Versions
 {
-  std::string brinell, git_hash, fftw, hdf5;
+  std::string brinell, git_hash, hdf5;
 };
 
 [[nodiscard]] Versions library_versions();

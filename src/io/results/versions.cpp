@@ -3,7 +3,6 @@
 
 #include "brinell/version.hpp"
 
-#include <fftw3.h>
 #include <fmt/format.h>
 #include <hdf5.h>
 
@@ -16,7 +15,6 @@ Versions library_versions()
   H5get_libversion(&major, &minor, &release);
   return {.brinell = std::string(version),
           .git_hash = std::string(git_hash),
-          .fftw = fftw_version,
           .hdf5 = fmt::format("{}.{}.{}", major, minor, release)};
 }
 
