@@ -148,6 +148,9 @@ int command_line(std::vector<std::string> words)
                "brinell");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
+  app.add_flag_callback(
+      "--licenses", [] { throw CLI::CallForVersion(io::licenses(), exit_ok); },
+      "Display the licences of brinell and its libraries and exit");
   app.footer(footer);
   Arguments arguments;
   declare_commands(app, arguments);

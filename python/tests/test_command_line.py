@@ -116,6 +116,16 @@ def test_version_is_that_of_the_package(program: Path, tmp_path: Path) -> None:
         assert re.fullmatch(rf"brinell {re.escape(brinell.__version__)} \(\S+\), HDF5 \S+\n", version)
 
 
+def test_licences_name_the_libraries_of_both(program: Path, tmp_path: Path) -> None:
+    for one in (SCRIPT, program):
+        licences = called(one, "--licenses", folder=tmp_path)
+        assert licences.returncode == 0
+        assert licences.stdout.startswith((ROOT / "LICENSE").read_text(encoding="utf-8"))
+        for library in ("HDF5", "zlib", "Eigen", "nanobind", "libgomp"):
+            assert f"\n{library}" in licences.stdout
+        assert "FFTW" not in licences.stdout
+
+
 # Both are built for the processor at hand, with the same flags.
 def test_a_run_gives_the_same_bytes(program: Path, folder: Path) -> None:
     assert called(SCRIPT, "run", "case.toml", "-q", "-o", "script", folder=folder).returncode == 0
@@ -244,6 +254,7 @@ def test_commands_are_completed() -> None:
     assert offered("") == [command.name for command in _core.commands()]
     assert offered("s") == ["schema", "sweep", "surface"]
     assert offered("--v") == ["--version"]
+    assert offered("--l") == ["--licenses"]
 
 
 def test_options_are_completed() -> None:

@@ -18,4 +18,7 @@ struct Versions
 
 [[nodiscard]] Versions library_versions();
 
+/// Licence of brinell and those of the libraries that its program and its Python extension contain or load.
+[[nodiscard]] std::string licenses();
+
 } // namespace brinell::io

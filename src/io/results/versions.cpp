@@ -2,6 +2,7 @@
 #include "brinell/io/versions.hpp"
 
 #include "brinell/version.hpp"
+#include "io/embedded.hpp"
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -16,6 +17,11 @@ Versions library_versions()
   return {.brinell = std::string(version),
           .git_hash = std::string(git_hash),
           .hdf5 = fmt::format("{}.{}.{}", major, minor, release)};
+}
+
+std::string licenses()
+{
+  return fmt::format("{}\n{}", embedded_text("LICENSE"), embedded_text("src/io/licenses.txt"));
 }
 
 } // namespace brinell::io
