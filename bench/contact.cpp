@@ -2,13 +2,12 @@
 // What does one displacement-driven elastic contact cost, from nothing and from the pressure of the step before? What does a
 // rough periodic surface under a load cost?
 #include "brinell/contact/elastic_contact.hpp"
+#include "foundation/fft.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <fftw3.h>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -78,7 +77,8 @@ BENCHMARK(contact_solution)
 std::vector<double> rough_distance(int n, int shortest)
 {
   const auto columns = static_cast<std::size_t>(n / 2 + 1);
-  std::vector<std::complex<double>> waves(static_cast<std::size_t>(n) * columns);
+  const PaddedFft fft({n, n, 1.0, 1.0, Boundary::periodic, Boundary::periodic});
+  AlignedVector<Complex> waves(fft.plane());
   std::mt19937 random(1);
   std::vector<double> distance(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
   for (int j = 0; j < n; ++j)
@@ -90,10 +90,8 @@ std::vector<double> rough_distance(int n, int shortest)
         waves[static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i)] =
             std::polar(std::pow(k, -1.8), phase);
     }
-  fftw_plan plan =
-      fftw_plan_dft_c2r_2d(n, n, reinterpret_cast<fftw_complex*>(waves.data()), distance.data(), FFTW_ESTIMATE);
-  fftw_execute(plan);
-  fftw_destroy_plan(plan);
+  PaddedFft::Scratch scratch = fft.make_scratch();
+  fft.inverse(waves.data(), distance.data(), scratch);
   double squares = 0.0;
   for (const double d : distance)
     squares += d * d / static_cast<double>(distance.size());

@@ -28,7 +28,6 @@ QUESTIONS = {
 }
 QUANTITIES = {
     "over_transforms": "time over that of the bare transforms",
-    "over_fftw": "time over that of the transforms by FFTW within the cache",
     "ns_per_cell": "time per cell",
     "ns_per_cell_and_evaluation": "time per cell and evaluation",
     "processor_s_per_step": "processor time [s]",

@@ -6,12 +6,9 @@
 #include "foundation/blocked_fft.hpp"
 #include "foundation/fft.hpp"
 
-#include <algorithm>
-#include <array>
 #include <benchmark/benchmark.h>
 #include <chrono>
 #include <cmath>
-#include <fftw3.h>
 #include <fstream>
 #include <unistd.h>
 #include <vector>
@@ -66,40 +63,6 @@ void transform_all(const BlockedFft& fft, const BlockedFft& of_plane, const std:
   }
 }
 
-/// The transforms of one plane as FFTW does them without copies, by measured plans and while all stays in the cache.
-class InCache
-{
-public:
-  explicit InCache(const BlockedFft& fft)
-      : real_(static_cast<std::size_t>(fft.px() * fft.grid().ny)),
-        spectrum_(static_cast<std::size_t>(fft.kx() * fft.py()))
-  {
-    const int px = fft.px(), py = fft.py(), kx = fft.kx(), ny = fft.grid().ny;
-    auto* c = reinterpret_cast<fftw_complex*>(spectrum_.data());
-    double* r = real_.data();
-    const auto columns = [&](int sign)
-    { return fftw_plan_many_dft(1, &py, kx, c, nullptr, kx, 1, c, nullptr, kx, 1, sign, FFTW_MEASURE); };
-    plans_ = {fftw_plan_many_dft_r2c(1, &px, ny, r, nullptr, 1, px, c, nullptr, 1, kx, FFTW_MEASURE),
-              columns(FFTW_FORWARD), columns(FFTW_BACKWARD),
-              fftw_plan_many_dft_c2r(1, &px, ny, c, nullptr, 1, kx, r, nullptr, 1, px, FFTW_MEASURE)};
-  }
-  ~InCache() { std::for_each(plans_.begin(), plans_.end(), fftw_destroy_plan); }
-  InCache(const InCache&) = delete;
-  InCache& operator=(const InCache&) = delete;
-
-  /// There and back.
-  void transform()
-  {
-    std::fill(real_.begin(), real_.end(), 1.0);
-    std::for_each(plans_.begin(), plans_.end(), fftw_execute);
-  }
-
-private:
-  AlignedVector<double> real_;
-  AlignedVector<Complex> spectrum_;
-  std::array<fftw_plan, 4> plans_{};
-};
-
 void evaluate(benchmark::State& state, const VolumeGrid& grid, Symmetry symmetry = Symmetry::none)
 {
   using Clock = std::chrono::steady_clock;
@@ -121,8 +84,6 @@ void evaluate(benchmark::State& state, const VolumeGrid& grid, Symmetry symmetry
   const BlockedFft of_plane(grid.surface, fft.px(), fft.py(), 1);
   AlignedVector<ComplexLanes> rows(fft.rows_size());
   AlignedVector<ComplexLanes> spectrum(fft.block_size());
-  InCache in_cache(fft);
-  double cached = 0.0;
   for (auto _ : state)
   {
     const auto begin = Clock::now();
@@ -134,16 +95,11 @@ void evaluate(benchmark::State& state, const VolumeGrid& grid, Symmetry symmetry
     benchmark::DoNotOptimize(stress.data());
     transform_all(fft, of_plane, strain, rows, spectrum, stress);
     const double once = std::chrono::duration<double>(end - begin).count();
-    const auto after = Clock::now();
-    bare += std::chrono::duration<double>(after - end).count();
-    for (int plane = 0; plane < fft.planes(); ++plane)
-      in_cache.transform();
-    cached += std::chrono::duration<double>(Clock::now() - after).count();
+    bare += std::chrono::duration<double>(Clock::now() - end).count();
     seconds += once;
     state.SetIterationTime(once);
   }
   state.counters["over_transforms"] = seconds / bare;
-  state.counters["over_fftw"] = seconds / cached; // on one thread
   state.counters["ns_per_cell"] =
       1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(grid.size()));
   state.counters["bytes_per_cell"] = memory / static_cast<double>(grid.size());

@@ -10,7 +10,7 @@ function(brinell_add_floors target optimisation)
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}/generated ${XXHASH_INCLUDE_DIRS})
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${optimisation}>)
   target_link_libraries(${target} PRIVATE
-    brinell_flags OpenMP::OpenMP_CXX fmt::fmt PkgConfig::FFTW3 tomlplusplus::tomlplusplus hdf5::hdf5 ZLIB::ZLIB
+    brinell_flags OpenMP::OpenMP_CXX fmt::fmt tomlplusplus::tomlplusplus hdf5::hdf5 ZLIB::ZLIB
     Eigen3::Eigen nlohmann_json::nlohmann_json)
 endfunction()
 

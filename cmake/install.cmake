@@ -22,7 +22,7 @@ install(FILES ${package_files}/brinell-config.cmake ${package_files}/brinell-con
 # Paths start at the file itself, so that the folder may be moved. HDF5 and toml++ do not come with a .pc file everywhere.
 file(RELATIVE_PATH pc_prefix "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 file(RELATIVE_PATH pc_include "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
-set(pc_requires "fftw3 >= 3.3.10, fmt >= 9.1, zlib >= 1.2.13")
+set(pc_requires "fmt >= 9.1, zlib >= 1.2.13")
 set(pc_libraries "${OpenMP_CXX_FLAGS}")
 pkg_check_modules(PC_TOMLPLUSPLUS QUIET tomlplusplus)
 if(PC_TOMLPLUSPLUS_FOUND)

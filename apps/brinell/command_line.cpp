@@ -24,8 +24,8 @@ namespace
 std::string version_text()
 {
   const auto versions = io::library_versions();
-  return fmt::format("brinell {} ({}), FFTW {}, HDF5 {}", versions.brinell, versions.git_hash, versions.fftw,
-                     versions.hdf5);
+  return fmt::format("brinell {} ({}), HDF5 {}, compiled for {}", versions.brinell, versions.git_hash, versions.hdf5,
+                     versions.processor);
 }
 
 constexpr const char* footer = R"(
@@ -157,6 +157,9 @@ int command_line(std::vector<std::string> words)
                "brinell");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
+  app.add_flag_callback(
+      "--licenses", [] { throw CLI::CallForVersion(io::licenses(), exit_ok); },
+      "Display the licences of brinell and its libraries and exit");
   app.footer(footer);
   Arguments arguments;
   declare_commands(app, arguments);

@@ -181,7 +181,6 @@ void bind_app(nb::module_& m)
   m.def("case_file_text", &io::case_file_text, "file"_a);
   m.def("machine_memory", &io::machine_memory);
   m.def("before_fork", &before_fork);
-  m.def("after_fork", &after_fork);
   m.attr("FORMAT_VERSION") = io::format_version;
   m.def("library_versions",
         []
@@ -190,8 +189,8 @@ void bind_app(nb::module_& m)
           nb::dict result;
           result["brinell"] = v.brinell;
           result["git_hash"] = v.git_hash;
-          result["fftw"] = v.fftw;
           result["hdf5"] = v.hdf5;
+          result["processor"] = v.processor;
           return result;
         });
 }

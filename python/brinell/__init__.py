@@ -93,18 +93,13 @@ if TYPE_CHECKING:
     __version__: str
 
 
-def _for_the_engine(name: str) -> None:
-    """Calls a function of the extension if that is loaded."""
+def _before_fork() -> None:
     if (engine := sys.modules.get("brinell._core")) is not None:
-        getattr(engine, name)()
+        engine.before_fork()
 
 
 # After a fork by multiprocessing the child process has only the thread that called fork: the engine's threads are gone.
-os.register_at_fork(
-    before=lambda: _for_the_engine("before_fork"),
-    after_in_parent=lambda: _for_the_engine("after_fork"),
-    after_in_child=lambda: _for_the_engine("after_fork"),
-)
+os.register_at_fork(before=_before_fork)
 
 __all__ = [
     "RIGID",
@@ -211,7 +206,7 @@ def __getattr__(name: str) -> Any:
         found = import_module(f"brinell.{name}")
     else:
         raise AttributeError(_unknown(name))
-    if name in __all__:
+    if name in _MODULE_OF:
         import_module("brinell._arguments").explain_errors_of(found, f"brinell.{name}")
     globals()[name] = found
     return found

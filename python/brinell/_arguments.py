@@ -21,26 +21,24 @@ from brinell.errors import ArgumentError
 __all__ = ["explain_argument_errors", "explain_errors_of"]
 
 
-def explain_argument_errors(package: ModuleType) -> None:
-    """Makes the public classes of a module and of its public modules raise `ArgumentError` for wrong arguments.
+def explain_argument_errors(module: ModuleType) -> None:
+    """Makes the public classes of a module raise `ArgumentError` for wrong arguments.
 
     Args:
-        package: module whose `__all__` names the classes and modules.
+        module: its `__all__` names the classes; other names are left alone.
     """
-    for name in package.__all__:
-        explain_errors_of(vars(package).get(name), f"{package.__name__}.{name}")
+    for name in module.__all__:
+        explain_errors_of(vars(module).get(name), f"{module.__name__}.{name}")
 
 
 def explain_errors_of(found: object, name: str) -> None:
-    """The same for one class, or for all of a module; nothing for what is neither.
+    """The same for one class; nothing for what is no class.
 
     Args:
-        found: the class or module.
-        name: what the messages call the class.
+        found: the class.
+        name: what the messages call it.
     """
-    if isinstance(found, ModuleType) and hasattr(found, "__all__"):
-        explain_argument_errors(found)
-    elif isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
+    if isinstance(found, type) and inspect.isfunction(vars(found).get("__init__")):
         _explain_errors_of(found, name)
 
 

@@ -6,6 +6,7 @@ Tensors have six components, first in an array: xx, yy, zz, yz, xz, xy. Stress i
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from brinell import _core
+from brinell._arguments import explain_argument_errors
 from brinell._arrays import Array, contiguous, points
 from brinell.errors import InputError
 from brinell.materials import Hardening, Law, Material, Perfect, Softening
@@ -179,3 +181,6 @@ def return_mapping(
 
 def _material(law: Hardening | Law) -> _core.Material:
     return Material(1.0, 0.0, law)._engine  # the elastic constants have no effect
+
+
+explain_argument_errors(sys.modules[__name__])

@@ -16,12 +16,14 @@ increment does not change it.
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from numpy.typing import ArrayLike
 
 from brinell import _core
+from brinell._arguments import explain_argument_errors
 from brinell._arrays import Array, contiguous, require_positive
 from brinell._reprs import cells
 from brinell.constitutive import Integration
@@ -337,3 +339,6 @@ class CoupledContact:
     def reaches_edge(self) -> bool:
         """Whether pressure acts on the outermost cells of the contact grid, which is then too small."""
         return self._engine.reaches_edge
+
+
+explain_argument_errors(sys.modules[__name__])

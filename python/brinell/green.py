@@ -8,9 +8,12 @@ engineering shear.
 
 from __future__ import annotations
 
+import sys
+
 from numpy.typing import ArrayLike
 
 from brinell import _core
+from brinell._arguments import explain_argument_errors
 from brinell._arrays import Array, contiguous, points, require_below, require_poisson, require_positive
 from brinell.errors import InputError
 
@@ -192,3 +195,6 @@ def cuboid_surface_displacement(
 def _require_inside(zc: float, dz: float) -> None:
     if not zc >= dz / 2:
         raise InputError(f"zc = {zc}; allowed: at least dz/2 = {dz / 2}, so that the cuboid is inside the body")
+
+
+explain_argument_errors(sys.modules[__name__])

@@ -15,12 +15,14 @@ be applied by several threads.
 from __future__ import annotations
 
 import operator
+import sys
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from brinell import _core
+from brinell._arguments import explain_argument_errors
 from brinell._arrays import Array, contiguous, number
 from brinell._reprs import cells
 from brinell.errors import InputError
@@ -356,3 +358,6 @@ def _check_cells(grid: SurfaceGrid | VolumeGrid, counts: tuple[str, ...], sizes:
         size = getattr(grid, name)
         if not _SMALLEST <= number(size, name) <= _LARGEST:
             raise InputError(f"{name} = {size} of a grid; allowed: a length from {_SMALLEST:g} to {_LARGEST:g} m")
+
+
+explain_argument_errors(sys.modules[__name__])

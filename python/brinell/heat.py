@@ -21,11 +21,13 @@ Thermal displacement and stress need the thermal expansion as well:
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 
 from numpy.typing import ArrayLike
 
 from brinell import _core
+from brinell._arguments import explain_argument_errors
 from brinell._arrays import Array, contiguous, number
 from brinell._reprs import cells
 from brinell.errors import InputError
@@ -318,3 +320,6 @@ def _motion(duration: float | None, velocity: float | tuple[float, float]) -> _c
         raise InputError(f"velocity = {velocity}; allowed: a number, or a pair for x and y")
     seconds = math.inf if duration is None else number(duration, "duration")
     return _core.HeatMotion(seconds, number(pair[0], "velocity"), number(pair[1], "velocity"))
+
+
+explain_argument_errors(sys.modules[__name__])

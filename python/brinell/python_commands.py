@@ -40,7 +40,10 @@ class Commands(click.Group):
 
 root = Commands(
     "brinell",
-    params=[click.Option(["--version"], is_flag=True, help="Display program version information and exit")],
+    params=[
+        click.Option(["--version"], is_flag=True, help="Display program version information and exit"),
+        click.Option(["--licenses"], is_flag=True, help="Display the licences of brinell and its libraries and exit"),
+    ],
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 

@@ -113,7 +113,17 @@ def test_answers_are_those_of_the_program(line: str, program: Path, folder: Path
 def test_version_is_that_of_the_package(program: Path, tmp_path: Path) -> None:
     for one in (SCRIPT, program):  # they may be built at different commits
         version = called(one, "--version", folder=tmp_path).stdout
-        assert re.fullmatch(rf"brinell {re.escape(brinell.__version__)} \(\S+\), FFTW \S+, HDF5 \S+\n", version)
+        assert re.fullmatch(rf"brinell {re.escape(brinell.__version__)} \(\S+\), HDF5 \S+, compiled for \S+\n", version)
+
+
+def test_licences_name_the_libraries_of_both(program: Path, tmp_path: Path) -> None:
+    for one in (SCRIPT, program):
+        licences = called(one, "--licenses", folder=tmp_path)
+        assert licences.returncode == 0
+        assert licences.stdout.startswith((ROOT / "LICENSE").read_text(encoding="utf-8"))
+        for library in ("HDF5", "zlib", "Eigen", "nanobind", "libgomp"):
+            assert f"\n{library}" in licences.stdout
+        assert "FFTW" not in licences.stdout
 
 
 # Both are built for the processor at hand, with the same flags.
@@ -257,6 +267,7 @@ def test_commands_are_completed() -> None:
     assert offered("") == [command.name for command in _core.commands()]
     assert offered("s") == ["schema", "sweep", "surface"]
     assert offered("--v") == ["--version"]
+    assert offered("--l") == ["--licenses"]
 
 
 def test_options_are_completed() -> None:

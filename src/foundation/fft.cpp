@@ -2,8 +2,6 @@
 #include "foundation/fft.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "foundation/fftw.hpp"
-#include "foundation/lane_fft.hpp"
 #include "foundation/lane_functions.hpp"
 
 #include <algorithm>
@@ -34,44 +32,6 @@ int fast_length(int n)
   return m;
 }
 
-/// FFTW plans on one plane: rows between a real buffer and the complex plane. Only the rows that contain data are transformed
-/// along x, so the zero padding costs nothing there. Columns are transformed `lane_count` at a time in lanes, which read and
-/// write only the rows that contain data.
-struct PaddedFft::Plans
-{
-  fftw_plan rows_forward = nullptr, rows_inverse = nullptr, all_rows_forward = nullptr;
-  fftw_plan columns_forward = nullptr;
-  LaneFft columns;
-
-  Plans(int px, int py, int ny, std::size_t plane) : columns(py)
-  {
-    // FFTW_ESTIMATE makes the choice of algorithm, and so the last bit of every result, reproducible.
-    const unsigned flags = FFTW_ESTIMATE;
-    const auto lock = planner_lock();
-    AlignedVector<Complex> spectrum(plane);
-    AlignedVector<double> real(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
-    auto* c = as_fftw(spectrum.data());
-    double* r = real.data();
-    const int kx = px / 2 + 1;
-    const auto rows = [&](int count)
-    { return fftw_plan_many_dft_r2c(1, &px, count, r, nullptr, 1, px, c, nullptr, 1, kx, flags | FFTW_DESTROY_INPUT); };
-    rows_forward = rows(ny);
-    all_rows_forward = rows(py);
-    rows_inverse = fftw_plan_many_dft_c2r(1, &px, ny, c, nullptr, 1, kx, r, nullptr, 1, px, flags | FFTW_DESTROY_INPUT);
-    columns_forward = fftw_plan_many_dft(1, &py, kx, c, nullptr, kx, 1, c, nullptr, kx, 1, FFTW_FORWARD, flags);
-    if (!rows_forward || !all_rows_forward || !rows_inverse || !columns_forward)
-      throw InternalError("FFTW made no plan");
-  }
-  ~Plans()
-  {
-    const auto lock = planner_lock();
-    for (fftw_plan p : {rows_forward, rows_inverse, all_rows_forward, columns_forward})
-      fftw_destroy_plan(p);
-  }
-  Plans(const Plans&) = delete;
-  Plans& operator=(const Plans&) = delete;
-};
-
 namespace
 {
 
@@ -88,6 +48,13 @@ int padded_length(int cells, double cell, Boundary boundary, double period)
   return fast_length(std::max(2 * cells - 1, clear));
 }
 
+const SurfaceGrid& checked(const SurfaceGrid& grid, int px, int py)
+{
+  if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
+    throw InternalError("PaddedFft: the padded lengths must hold the grid");
+  return grid;
+}
+
 } // namespace
 
 PaddedLengths padded_lengths(const SurfaceGrid& grid)
@@ -100,18 +67,12 @@ PaddedLengths padded_lengths(const SurfaceGrid& grid)
 
 PaddedFft::PaddedFft(const SurfaceGrid& grid) : PaddedFft(grid, padded_lengths(grid).x, padded_lengths(grid).y) {}
 
-PaddedFft::PaddedFft(const SurfaceGrid& grid, int px, int py) : grid_(grid), px_(px), py_(py)
+PaddedFft::PaddedFft(const SurfaceGrid& grid, int px, int py)
+    : grid_(checked(grid, px, py)), px_(px), py_(py), rows_(grid.nx, px), full_rows_(px, px), columns_(py)
 {
-  if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
-    throw InternalError("PaddedFft: the padded lengths must hold the grid");
   const std::size_t exact = static_cast<std::size_t>(kx()) * static_cast<std::size_t>(py_);
   plane_ = (exact + 7) / 8 * 8; // every plane of a batch starts on a cache line
-  plans_ = std::make_unique<Plans>(px_, py_, grid_.ny, plane_);
 }
-
-PaddedFft::~PaddedFft() = default;
-PaddedFft::PaddedFft(PaddedFft&&) noexcept = default;
-PaddedFft& PaddedFft::operator=(PaddedFft&&) noexcept = default;
 
 double PaddedFft::wavenumber_x(int i) const
 {
@@ -126,25 +87,7 @@ double PaddedFft::wavenumber_y(int j) const
 namespace
 {
 
-/// Number of real values of the rows, rounded up to whole cache lines.
-std::size_t rows_size(int px, int ny)
-{
-  return (static_cast<std::size_t>(px) * static_cast<std::size_t>(ny) + lane_count - 1) / lane_count * lane_count;
-}
-
-/// Neighbouring values of one row in lanes; zero beyond the last column.
-ComplexLanes load_row(const Complex* from, int count)
-{
-  if (count >= lane_count)
-    return load_lanes(from);
-  ComplexLanes value;
-  for (int lane = 0; lane < count; ++lane)
-  {
-    value.re[lane] = from[lane].real();
-    value.im[lane] = from[lane].imag();
-  }
-  return value;
-}
+/// Stores neighbouring values of one row, up to the last column.
 void store_row(const ComplexLanes& value, int count, Complex* to)
 {
   if (count >= lane_count)
@@ -155,58 +98,55 @@ void store_row(const ComplexLanes& value, int count, Complex* to)
 
 } // namespace
 
-std::size_t PaddedFft::scratch_size() const
+PaddedFft::Scratch PaddedFft::make_scratch(int rows) const
 {
-  constexpr std::size_t values = 2 * lane_count; // of ComplexLanes
-  return rows_size(px_, grid_.ny) + values * (2 * static_cast<std::size_t>(py_) + plans_->columns.work_size());
+  return {rows_.make_work(),
+          AlignedVector<ComplexLanes>(static_cast<std::size_t>(rows_.blocks()) * static_cast<std::size_t>(rows)),
+          AlignedVector<ComplexLanes>(static_cast<std::size_t>(py_)),
+          AlignedVector<ComplexLanes>(columns_.work_size())};
 }
 
-void PaddedFft::forward(const double* field, Complex* spectrum, std::span<double> scratch) const
+void PaddedFft::forward(const double* field, Complex* spectrum, Scratch& scratch) const
 {
-  const std::ptrdiff_t nx = grid_.nx;
-  for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
+  forward(rows_, grid_.nx, grid_.ny, field, spectrum, scratch);
+}
+
+void PaddedFft::forward(const RowFft& row_fft, int nx, int ny, const double* field, Complex* spectrum,
+                        Scratch& scratch) const
+{
+  for (std::ptrdiff_t first = 0; first < ny; first += RowFft::most_rows)
+    row_fft.forward(field + first * nx, std::min<int>(RowFft::most_rows, ny - static_cast<int>(first)),
+                    scratch.rows.data() + first, {ny, false}, scratch.row);
+  const ComplexLanes* rows = scratch.rows.data();
+  for (int first = 0; first < kx(); first += lane_count, rows += ny)
   {
-    double* row = std::copy_n(field + j * nx, nx, scratch.data() + j * px_);
-    std::fill_n(row, px_ - nx, 0.0);
-  }
-  fftw_execute_dft_r2c(plans_->rows_forward, scratch.data(), as_fftw(spectrum));
-  auto* column = reinterpret_cast<ComplexLanes*>(scratch.data() + rows_size(px_, grid_.ny));
-  ComplexLanes *transformed = column + py_, *work = transformed + py_;
-  for (int first = 0; first < kx(); first += lane_count)
-  {
-    const int count = kx() - first;
-    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
-      column[j] = load_row(spectrum + j * kx() + first, count);
-    plans_->columns.forward(column, grid_.ny, transformed, work);
+    columns_.forward(rows, ny, scratch.column.data(), scratch.work.data());
     for (std::ptrdiff_t j = 0; j < py_; ++j)
-      store_row(transformed[j], count, spectrum + j * kx() + first);
+      store_row(scratch.column[static_cast<std::size_t>(j)], kx() - first, spectrum + j * kx() + first);
   }
 }
 
-void PaddedFft::inverse(Complex* spectrum, double* field, std::span<double> scratch) const
+void PaddedFft::inverse(const Complex* spectrum, double* field, Scratch& scratch) const
 {
-  auto* column = reinterpret_cast<ComplexLanes*>(scratch.data() + rows_size(px_, grid_.ny));
-  ComplexLanes *transformed = column + py_, *work = transformed + py_;
-  for (int first = 0; first < kx(); first += lane_count)
+  const std::ptrdiff_t nx = grid_.nx, ny = grid_.ny;
+  ComplexLanes* rows = scratch.rows.data();
+  for (int first = 0; first < kx(); first += lane_count, rows += ny)
   {
-    const int count = kx() - first;
     for (std::ptrdiff_t j = 0; j < py_; ++j)
-      column[j] = load_row(spectrum + j * kx() + first, count);
-    plans_->columns.inverse(column, transformed, grid_.ny, work);
-    for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
-      store_row(transformed[j], count, spectrum + j * kx() + first);
+      scratch.column[static_cast<std::size_t>(j)] =
+          load_lanes(spectrum + j * kx() + first, static_cast<std::size_t>(std::min(lane_count, kx() - first)));
+    columns_.inverse(scratch.column.data(), rows, grid_.ny, scratch.work.data());
   }
-  fftw_execute_dft_c2r(plans_->rows_inverse, as_fftw(spectrum), scratch.data());
-  const double scale = 1.0 / (static_cast<double>(px_) * py_);
-  for (std::ptrdiff_t j = 0; j < grid_.ny; ++j)
-    for (std::ptrdiff_t i = 0; i < grid_.nx; ++i)
-      field[j * grid_.nx + i] = scale * scratch[static_cast<std::size_t>(j * px_ + i)];
+  for (std::ptrdiff_t first = 0; first < ny; first += RowFft::most_rows)
+    rows_.inverse(scratch.rows.data() + first, {ny, false},
+                  std::min<int>(RowFft::most_rows, grid_.ny - static_cast<int>(first)),
+                  1.0 / (static_cast<double>(px_) * py_), field + first * nx, scratch.row);
 }
 
-void PaddedFft::forward_padded(std::span<double> field, Complex* spectrum) const
+void PaddedFft::forward_padded(std::span<const double> field, Complex* spectrum) const
 {
-  fftw_execute_dft_r2c(plans_->all_rows_forward, field.data(), as_fftw(spectrum));
-  fftw_execute_dft(plans_->columns_forward, as_fftw(spectrum), as_fftw(spectrum));
+  Scratch scratch = make_scratch(py_);
+  forward(full_rows_, px_, py_, field.data(), spectrum, scratch);
 }
 
 } // namespace brinell

@@ -3,8 +3,9 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "foundation/aligned.hpp"
+#include "foundation/lane_fft.hpp"
+#include "foundation/row_fft.hpp"
 
-#include <memory>
 #include <span>
 
 namespace brinell
@@ -34,11 +35,6 @@ public:
   /// Pads to the `padded_lengths`.
   explicit PaddedFft(const SurfaceGrid& grid);
   PaddedFft(const SurfaceGrid& grid, int px, int py);
-  ~PaddedFft();
-  PaddedFft(PaddedFft&&) noexcept;
-  PaddedFft& operator=(PaddedFft&&) noexcept;
-  PaddedFft(const PaddedFft&) = delete;
-  PaddedFft& operator=(const PaddedFft&) = delete;
 
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] int px() const { return px_; }               ///< padded cells along x
@@ -51,21 +47,31 @@ public:
   /// Angular wavenumber of row j [rad/m], signed; negative for j > py/2.
   [[nodiscard]] double wavenumber_y(int j) const;
 
-  /// Number of real values that `forward` and `inverse` need as a buffer; one AlignedVector of this size per thread.
-  [[nodiscard]] std::size_t scratch_size() const;
+  /// Buffers of `forward` and `inverse`, one per thread.
+  struct Scratch
+  {
+    RowFft::Work row;
+    AlignedVector<ComplexLanes> rows;   ///< [block of wavenumbers along x][row of the grid]
+    AlignedVector<ComplexLanes> column; ///< [py]
+    AlignedVector<ComplexLanes> work;   ///< of the columns
+  };
+  [[nodiscard]] Scratch make_scratch() const { return make_scratch(grid_.ny); }
   /// Spectrum of one real field on the grid (unnormalised: sum of f e^{-i k x}).
-  void forward(const double* field, Complex* spectrum, std::span<double> scratch) const;
-  /// Real field on the grid of one spectrum (scaled by 1/(px py)); the spectrum is destroyed.
-  void inverse(Complex* spectrum, double* field, std::span<double> scratch) const;
-  /// Spectrum of a real field given on the whole padded plane px * py (kernels), cache-line aligned; it is destroyed.
-  void forward_padded(std::span<double> field, Complex* spectrum) const;
+  void forward(const double* field, Complex* spectrum, Scratch& scratch) const;
+  /// Real field on the grid of one spectrum (scaled by 1/(px py)).
+  void inverse(const Complex* spectrum, double* field, Scratch& scratch) const;
+  /// Spectrum of a real field given on the whole padded plane px * py (kernels).
+  void forward_padded(std::span<const double> field, Complex* spectrum) const;
 
 private:
-  struct Plans;
+  [[nodiscard]] Scratch make_scratch(int rows) const;
+  void forward(const RowFft& row_fft, int nx, int ny, const double* field, Complex* spectrum, Scratch& scratch) const;
+
   SurfaceGrid grid_;
   int px_ = 0, py_ = 0;
   std::size_t plane_ = 0;
-  std::unique_ptr<Plans> plans_;
+  RowFft rows_, full_rows_; ///< of the grid, of the padded plane
+  LaneFft columns_;
 };
 
 } // namespace brinell

@@ -71,7 +71,7 @@ inline void transform_four(Value& a, Value& b, Value& c, Value& d)
 /// The transform of a prime number of values; values with opposite indices (k and radix - k) are combined.
 /// @param roots  cos and sin of 2 pi k / radix, one after the other
 template <std::size_t radix>
-inline void transform(Values<radix>& a, const double* roots)
+[[gnu::always_inline]] inline void transform(Values<radix>& a, const double* roots)
 {
   constexpr std::size_t pairs = radix / 2;
   std::array<Value, pairs> sum, difference;
@@ -85,8 +85,9 @@ inline void transform(Values<radix>& a, const double* roots)
     a[0] = a[0] + sum[j];
   for (std::size_t k = 1; k <= pairs; ++k)
   {
-    Value even = first, odd{};
-    for (std::size_t j = 0; j < pairs; ++j)
+    Value even{first.re + roots[2 * k] * sum[0].re, first.im + roots[2 * k] * sum[0].im};
+    Value odd{roots[2 * k + 1] * difference[0].re, roots[2 * k + 1] * difference[0].im};
+    for (std::size_t j = 1; j < pairs; ++j)
     {
       const double* root = roots + 2 * ((j + 1) * k % radix);
       even = {even.re + root[0] * sum[j].re, even.im + root[0] * sum[j].im};

@@ -12,6 +12,13 @@
 namespace brinell
 {
 
+Complex root_of_one(long long numerator, long long denominator)
+{
+  const double angle =
+      2.0 * std::numbers::pi * static_cast<double>(numerator % denominator) / static_cast<double>(denominator);
+  return {std::cos(angle), -std::sin(angle)};
+}
+
 /// One radix of the algorithm. Its input consists of `done` series of `left` * radix values each, `done` being the product of the
 /// radices of the steps before; every `left`-th value of a series belongs to the same butterfly.
 struct LaneFft::Step
@@ -61,14 +68,6 @@ LaneFft::Source source(const ComplexLanes* from, int given)
 LaneFft::Target target(ComplexLanes* to, int wanted)
 {
   return {doubles(to), doubles(to) + lane_count, wanted};
-}
-
-/// e^{-2 pi i numerator / denominator}; the angle is reduced first, so that it is accurate for long series.
-Complex root_of_one(long long numerator, long long denominator)
-{
-  const double angle =
-      2.0 * std::numbers::pi * static_cast<double>(numerator % denominator) / static_cast<double>(denominator);
-  return {std::cos(angle), -std::sin(angle)};
 }
 
 /// Radices whose product is the length; empty if the length has a prime factor above `largest_radix`. An even radix comes first,

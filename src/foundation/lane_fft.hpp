@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "foundation/aligned.hpp"
 #include "foundation/lanes.hpp"
 
 #include <cstddef>
@@ -10,11 +11,13 @@
 namespace brinell
 {
 
+/// e^{-2 pi i numerator / denominator}, also accurate for large numerators.
+[[nodiscard]] Complex root_of_one(long long numerator, long long denominator);
+
 /// Fourier transforms of `lane_count` complex series of one length side by side, one in each lane.
 ///
 /// Stockham's self-sorting algorithm with radices up to 13. The lanes do not interact, so every instruction works on whole
-/// vectors; the padding is not read, and only the wanted values are written. FFTW, which works on single complex numbers, takes
-/// two to three times as long for the same transforms. A length with a larger prime factor is computed as a convolution with a
+/// vectors; the padding is not read, and only the wanted values are written. A length with a larger prime factor is computed as a convolution with a
 /// chirp (Bluestein 1970). Planned once; every function is const and may be called from several threads, each with its own
 /// buffer.
 class LaneFft

@@ -1,52 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "foundation/row_fft.hpp"
 
-#include "brinell/foundation/error.hpp"
-#include "foundation/fftw.hpp"
-#include "foundation/lane_functions.hpp"
+#include "foundation/lane_tile.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace brinell
 {
 
 namespace
 {
-
-/// Number of single rows that take as long as a tile of rows (measured for lengths of 90 and 512 with AVX-512). Without AVX the
-/// transposition between rows and lanes takes longer than the transforms, so rows are always transformed one by one.
-#if defined(__AVX__)
-constexpr int worth_together = 3 * lane_count / 4;
-#else
-constexpr int worth_together = RowFft::most_rows + 1;
-#endif
-
-/// A square of values: `lane_count` rows at as many neighbouring positions or wavenumbers. Loops over a tile are unrolled, so
-/// that it stays in registers.
-using Tile = std::array<Lanes, lane_count>;
-
-/// Step of a recursive transposition: exchanges the off-diagonal squares of `size` in each diagonal square of 2 * `size`.
-template <int size>
-[[gnu::always_inline]] inline void exchange_squares(Tile& t)
-{
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < lane_count; ++i)
-    if ((i & size) == 0)
-    {
-      const Lanes a = t[i], b = t[i + size];
-      t[i] = shuffled(a, b, [](int lane) { return lane & size ? lane_count + lane - size : lane; });
-      t[i + size] = shuffled(a, b, [](int lane) { return lane & size ? lane_count + lane : lane + size; });
-    }
-  if constexpr (2 * size < lane_count)
-    exchange_squares<2 * size>(t);
-}
-
-/// Transposes a tile.
-[[gnu::always_inline]] inline void transpose(Tile& t)
-{
-  exchange_squares<1>(t);
-}
 
 /// Loads values at neighbouring positions of some rows, with the rows in lanes; zero beyond the last row and the last position.
 [[gnu::always_inline]] inline Tile load_tile(const double* field, std::ptrdiff_t apart, int rows, int places)
@@ -105,53 +68,44 @@ int imaginary_rows(int count)
 
 } // namespace
 
-struct RowFft::Plans
+RowFft::RowFft(int given, int length)
+    : given_(given), lanes_(length), series_(is_even() ? length / 2 : length),
+      factors_(static_cast<std::size_t>(series_.length() / lane_count + 1))
 {
-  fftw_plan forward = nullptr, inverse = nullptr;
-
-  Plans(int length, Work& work)
+  for (int k = 0; is_even() && k <= series_.length(); ++k)
   {
-    // FFTW_ESTIMATE makes the choice of algorithm, and so the last bit of every result, reproducible.
-    const unsigned flags = FFTW_ESTIMATE | FFTW_DESTROY_INPUT;
-    const auto lock = planner_lock();
-    forward = fftw_plan_dft_r2c_1d(length, work.real.data(), as_fftw(work.half.data()), flags);
-    inverse = fftw_plan_dft_c2r_1d(length, as_fftw(work.half.data()), work.real.data(), flags);
-    if (!forward || !inverse)
-      throw InternalError("FFTW made no plan");
+    ComplexLanes& factors = factors_[static_cast<std::size_t>(k / lane_count)];
+    const Complex root = 2 * k == length ? -1.0 : root_of_one(k, length);
+    factors.re[k % lane_count] = 0.5 * root.imag();
+    factors.im[k % lane_count] = -0.5 * root.real();
   }
-  ~Plans()
-  {
-    const auto lock = planner_lock();
-    fftw_destroy_plan(forward);
-    fftw_destroy_plan(inverse);
-  }
-  Plans(const Plans&) = delete;
-  Plans& operator=(const Plans&) = delete;
-};
-
-RowFft::RowFft(int given, int length) : given_(given), lanes_(length)
-{
-  Work work = make_work();
-  plans_ = std::make_unique<Plans>(length, work);
 }
-
-RowFft::~RowFft() = default;
 
 RowFft::Work RowFft::make_work() const
 {
   const auto size = static_cast<std::size_t>(length());
+  const auto single = static_cast<std::size_t>(series_.length() + 3 * lane_count);
   Work work;
   work.series.resize(size + lane_count); // tiles may reach beyond the last value
   work.spectrum.resize(size + lane_count + 1);
   work.lanes.resize(lanes_.work_size());
-  work.real.resize(size);
-  work.half.resize(static_cast<std::size_t>(blocks()) * lane_count);
+  work.one.fft = series_.make_work();
+  work.one.pairs.resize(is_even() ? 0 : 2 * size);
+  for (AlignedVector<double>* part : {&work.one.re, &work.one.im, &work.one.half_re, &work.one.half_im})
+    part->resize(single);
   return work;
+}
+
+/// Whether the rows take less time together: a fit to measured times with AVX-512, AVX2 and SSE2 for lengths of 16 to 4096. Long
+/// rows do not stay in the nearest cache together.
+bool RowFft::is_worth_together(int count) const
+{
+  return count >= std::min(3 * lane_count / 2, 3 + length() * lane_count / 400);
 }
 
 void RowFft::forward(const double* field, int count, ComplexLanes* spectra, const Spectra& layout, Work& work) const
 {
-  if (count >= worth_together)
+  if (is_worth_together(count))
     forward_together(field, count, spectra, layout, work);
   else
     for (std::ptrdiff_t row = 0; row < count; ++row)
@@ -162,7 +116,7 @@ void RowFft::forward(const double* field, int count, ComplexLanes* spectra, cons
 void RowFft::inverse(const ComplexLanes* spectra, const Spectra& layout, int count, double scale, double* field,
                      Work& work) const
 {
-  if (count >= worth_together)
+  if (is_worth_together(count))
     inverse_together(spectra, layout, count, scale, field, work);
   else
     for (std::ptrdiff_t row = 0; row < count; ++row)
@@ -260,23 +214,79 @@ void RowFft::unite(int block, int count, const ComplexLanes* spectra, Work& work
   }
 }
 
+/// Half the even part of a series of n values under conjugation and reversal, plus half the odd part times the factors, at
+/// `lane_count` indices k: (Z_k + Z*_{n-k})/2 + f_k (Z_k - Z*_{n-k}), and with the conjugate of f for the inverse.
+ComplexLanes RowFft::folded(const double* re, const double* im, std::ptrdiff_t k, bool inverse) const
+{
+  const std::ptrdiff_t opposite = series_.length() - k - (lane_count - 1);
+  const auto reversed = [](const double* from)
+  {
+    const Lanes value = load_lanes(from);
+    return shuffled(value, value, [](int lane) { return lane_count - 1 - lane; });
+  };
+  const ComplexLanes a{load_lanes(re + k), load_lanes(im + k)};
+  const ComplexLanes b{reversed(re + opposite), -reversed(im + opposite)};
+  const ComplexLanes& factor = factors_[static_cast<std::size_t>(k / lane_count)];
+  const Lanes turn = inverse ? -factor.im : factor.im;
+  const ComplexLanes odd = a - b;
+  return 0.5 * (a + b) + ComplexLanes{factor.re * odd.re - turn * odd.im, factor.re * odd.im + turn * odd.re};
+}
+
 void RowFft::forward_one(const double* field, ComplexLanes* spectra, const Spectra& layout, Work& work) const
 {
-  double* padding = std::copy_n(field, given_, work.real.data());
-  std::fill_n(padding, length() - given_, 0.0);
-  fftw_execute_dft_r2c(plans_->forward, work.real.data(), as_fftw(work.half.data()));
+  Work::One& one = work.one;
+  double *re = one.re.data() + lane_count, *im = one.im.data() + lane_count;
+  const int n = series_.length();
+  if (is_even())
+    series_.forward(field, given_, re, im, one.fft);
+  else
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(given_); ++i)
+    {
+      one.pairs[2 * i] = field[i];
+      one.pairs[2 * i + 1] = 0.0;
+    }
+    series_.forward(one.pairs.data(), 2 * given_, re, im, one.fft);
+  }
+  re[n] = re[0];
+  im[n] = im[0];
   for (std::ptrdiff_t block = 0; block < blocks(); ++block)
-    store_lanes(load_lanes(work.half.data() + block * lane_count), spectra + block * layout.apart, layout.past_caches);
+  {
+    ComplexLanes value = folded(re, im, block * lane_count, false);
+    for (int lane = wavenumbers() - static_cast<int>(block) * lane_count; lane < lane_count; ++lane)
+      value.re[lane] = value.im[lane] = 0.0;
+    store_lanes(value, spectra + block * layout.apart, layout.past_caches);
+  }
 }
 
 void RowFft::inverse_one(const ComplexLanes* spectra, const Spectra& layout, double scale, double* field,
                          Work& work) const
 {
+  Work::One& one = work.one;
+  double *re = one.re.data() + lane_count, *im = one.im.data() + lane_count;
+  double *half_re = one.half_re.data() + lane_count, *half_im = one.half_im.data() + lane_count;
   for (std::ptrdiff_t block = 0; block < blocks(); ++block)
-    store_lanes(spectra[block * layout.apart], work.half.data() + block * lane_count);
-  fftw_execute_dft_c2r(plans_->inverse, as_fftw(work.half.data()), work.real.data());
-  for (std::ptrdiff_t i = 0; i < given_; ++i)
-    field[i] = scale * work.real[static_cast<std::size_t>(i)];
+  {
+    const ComplexLanes& value = spectra[block * layout.apart];
+    store_lanes(value.re, lane_count, half_re + block * lane_count);
+    store_lanes(value.im, lane_count, half_im + block * lane_count);
+  }
+  for (double* part : {half_re, half_im})
+    std::fill(part + wavenumbers(), part + blocks() * lane_count, 0.0);
+  half_im[0] = 0.0; // real, up to rounding
+  if (is_even())
+    half_im[series_.length()] = 0.0;
+  for (std::ptrdiff_t k = 0; k < series_.length(); k += lane_count)
+  {
+    const ComplexLanes value = folded(half_re, half_im, k, true);
+    store_lanes(value.re, lane_count, re + k);
+    store_lanes(value.im, lane_count, im + k);
+  }
+  if (is_even())
+    return series_.inverse(re, im, 2.0 * scale, field, given_, one.fft);
+  series_.inverse(re, im, 2.0 * scale, one.pairs.data(), 2 * given_, one.fft);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(given_); ++i)
+    field[i] = one.pairs[2 * i];
 }
 
 } // namespace brinell

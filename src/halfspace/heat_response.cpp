@@ -95,7 +95,7 @@ struct HeatResponse::Operator
 
 struct HeatResponse::Buffers
 {
-  AlignedVector<double> rows;
+  PaddedFft::Scratch rows;
   AlignedVector<Complex> spectrum;
 };
 
@@ -132,7 +132,7 @@ const SurfaceGrid& HeatResponse::grid() const
 HeatResponse::Scratch HeatResponse::make_scratch() const
 {
   auto buffers = make_hidden<Buffers>();
-  buffers->rows.resize(operator_->fft.scratch_size());
+  buffers->rows = operator_->fft.make_scratch();
   buffers->spectrum.resize(operator_->fft.plane());
   return buffers;
 }

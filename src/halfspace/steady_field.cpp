@@ -71,10 +71,10 @@ struct SteadyField::State
   {
     const PaddedFft& fft;
     AlignedVector<Complex> flux, product;
-    AlignedVector<double> room;
+    PaddedFft::Scratch room;
 
     Convolution(const PaddedFft& given, std::span<const double> field)
-        : fft(given), flux(given.plane()), product(given.plane()), room(given.scratch_size())
+        : fft(given), flux(given.plane()), product(given.plane()), room(given.make_scratch())
     {
       fft.forward(field.data(), flux.data(), room);
     }

@@ -168,7 +168,7 @@ void SteadyLattices::add_near(std::span<const double> depths, const Fields& fiel
         }
       }
   }
-  AlignedVector<double> room(fft.scratch_size());
+  PaddedFft::Scratch room = fft.make_scratch();
   for (std::size_t f = 0; f < spectra.size(); ++f)
     fft.inverse(spectra[f].data(), out[f].data(), room);
 }

@@ -74,7 +74,7 @@ struct ThermalResponse::Operator
 
 struct ThermalResponse::Buffers
 {
-  AlignedVector<double> rows;
+  PaddedFft::Scratch rows;
   AlignedVector<Complex> flux, spectrum;
 };
 
@@ -95,7 +95,7 @@ const SurfaceGrid& ThermalResponse::grid() const
 ThermalResponse::Scratch ThermalResponse::make_scratch() const
 {
   Scratch scratch = make_hidden<Buffers>();
-  scratch->rows.resize(operator_->fft.scratch_size());
+  scratch->rows = operator_->fft.make_scratch();
   scratch->flux.resize(operator_->fft.plane());
   scratch->spectrum.resize(operator_->fft.plane());
   return scratch;

@@ -7,7 +7,7 @@
 namespace brinell::io
 {
 
-/// Text of an embedded file: the references, the examples of keys (src/io/case/template.toml) or a tested case from which
+/// Text of an embedded file: the licences, the references, the examples of keys (src/io/case/template.toml) or a tested case from which
 /// `brinell new` makes a template.
 /// @param file  path relative to the root of the source tree: "cases/rolling/case.toml"
 /// @throws InternalError if the file is not embedded

@@ -202,7 +202,7 @@ void add_by_transform(const RandomSurface::Waves& w, const std::vector<Complex>&
       add(-i, -j, std::conj(half));
     }
   std::vector<double> plane(period.size());
-  AlignedVector<double> scratch(fft.scratch_size());
+  PaddedFft::Scratch scratch = fft.make_scratch();
   fft.inverse(spectrum.data(), plane.data(), scratch);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)

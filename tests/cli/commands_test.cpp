@@ -34,6 +34,16 @@ TEST_F(Commands, VersionAndHelp)
   }
 }
 
+TEST_F(Commands, LicencesOfAllLibraries)
+{
+  const Outcome licences = run({"--licenses"});
+  EXPECT_EQ(licences.exit_code, 0);
+  EXPECT_EQ(licences.out.rfind("BSD 3-Clause License\n", 0), 0u);
+  for (const char* library : {"fmt", "toml++", "JSON for Modern C++", "CLI11", "nanobind", "xxHash", "Eigen", "HDF5",
+                              "zlib", "libaec", "libgomp, libstdc++"})
+    EXPECT_NE(licences.out.find(std::string("\n") + library), std::string::npos) << library;
+}
+
 // The reference page is written by the program: make it anew with `brinell schema --markdown`.
 TEST_F(Commands, SchemaIsTheReferencePage)
 {

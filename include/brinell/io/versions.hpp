@@ -13,9 +13,14 @@ inline constexpr int format_version = 3;
 /// Versions of the program and libraries that computed a result.
 struct Versions
 {
-  std::string brinell, git_hash, fftw, hdf5;
+  std::string brinell, git_hash, hdf5;
+  std::string
+      processor; ///< kind whose instructions are used (foundation/processor.hpp): it decides about the last digits
 };
 
 [[nodiscard]] Versions library_versions();
+
+/// Licence of brinell and those of the libraries that its program and its Python extension contain or load.
+[[nodiscard]] std::string licenses();
 
 } // namespace brinell::io

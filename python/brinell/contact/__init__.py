@@ -9,6 +9,9 @@ result = ElasticContact(grid, Material("210 GPa", 0.3)).solve(ball, load=0.5)
 bound of the shear. Periodic surfaces need SurfaceGrid(..., boundary="periodic").
 """
 
+import sys
+
+from brinell._arguments import explain_argument_errors
 from brinell.contact.areas import Patches, contact_area, patches
 from brinell.contact.friction import FrictionalContact, FrictionResult
 from brinell.contact.normal import ContactResult, ElasticContact
@@ -25,3 +28,5 @@ __all__ = [
     "contact_area",
     "patches",
 ]
+
+explain_argument_errors(sys.modules[__name__])

@@ -11,6 +11,9 @@ order xx, yy, zz, yz, xz, xy. R is the equivalent radius, 1/R = 1/R1 + 1/R2; E' 
 
 from __future__ import annotations
 
+import sys
+
+from brinell._arguments import explain_argument_errors
 from brinell.reference.critical import (
     CriticalValues,
     FirstYield,
@@ -70,3 +73,5 @@ __all__ = [
     "point_contact",
     "point_contact_stress",
 ]
+
+explain_argument_errors(sys.modules[__name__])

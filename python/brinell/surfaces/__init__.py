@@ -12,9 +12,15 @@ Reading files of measuring instruments needs SurfaceTopography (pip install "bri
 
 from __future__ import annotations
 
+import sys
+
+from brinell._arguments import explain_argument_errors, explain_errors_of
 from brinell.surfaces.files import read, write
 from brinell.surfaces.filling import filled
 from brinell.surfaces.heightmap import HeightMap, PowerSpectrum
 from brinell.surfaces.making import random, sampled
 
 __all__ = ["HeightMap", "PowerSpectrum", "filled", "random", "read", "sampled", "write"]
+
+explain_errors_of(HeightMap, "brinell.HeightMap")  # as users call it
+explain_argument_errors(sys.modules[__name__])

@@ -191,8 +191,8 @@ void write_description(const h5::Handle& file, const Description& description,
   h5::write_attribute(file, "format_version", format_version);
   h5::write_attribute(file, "brinell_version", versions.brinell);
   h5::write_attribute(file, "git_hash", versions.git_hash);
-  h5::write_attribute(file, "fftw_version", versions.fftw);
   h5::write_attribute(file, "hdf5_version", versions.hdf5);
+  h5::write_attribute(file, "processor", versions.processor);
   h5::write_attribute(file, "scenario", description.scenario);
   h5::write_attribute(file, "title", description.title);
   h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));

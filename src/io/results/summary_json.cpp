@@ -70,8 +70,10 @@ Json grid_json(const RunTotals& s)
 Json versions_json()
 {
   const Versions versions = library_versions();
-  return {
-      {"brinell", versions.brinell}, {"git_hash", versions.git_hash}, {"fftw", versions.fftw}, {"hdf5", versions.hdf5}};
+  return {{"brinell", versions.brinell},
+          {"git_hash", versions.git_hash},
+          {"hdf5", versions.hdf5},
+          {"processor", versions.processor}};
 }
 
 /// The child for one part of a key: a member, or an entry of a list such as texture[0].

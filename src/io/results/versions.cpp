@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/versions.hpp"
 
+#include "brinell/foundation/processor.hpp"
 #include "brinell/version.hpp"
+#include "io/embedded.hpp"
 
-#include <fftw3.h>
 #include <fmt/format.h>
 #include <hdf5.h>
 
@@ -16,8 +17,13 @@ Versions library_versions()
   H5get_libversion(&major, &minor, &release);
   return {.brinell = std::string(version),
           .git_hash = std::string(git_hash),
-          .fftw = fftw_version,
-          .hdf5 = fmt::format("{}.{}.{}", major, minor, release)};
+          .hdf5 = fmt::format("{}.{}.{}", major, minor, release),
+          .processor = chosen_processor()};
+}
+
+std::string licenses()
+{
+  return fmt::format("{}\n{}", embedded_text("LICENSE"), embedded_text("src/io/licenses.txt"));
 }
 
 } // namespace brinell::io

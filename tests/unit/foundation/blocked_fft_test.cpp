@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Grids, BlockedFftTest,
 TEST_P(BlockedFftTest, SpectrumIsThatOfEveryPlaneByItself)
 {
   AlignedVector<Complex> expected(plain.plane());
-  AlignedVector<double> real(plain.scratch_size());
+  PaddedFft::Scratch real = plain.make_scratch();
   for (int block = 0; block < blocked.blocks(); ++block)
   {
     const AlignedVector<ComplexLanes> spectrum = spectrum_of(block);

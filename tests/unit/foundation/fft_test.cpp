@@ -23,7 +23,7 @@ constexpr double rounding = 50.0 * std::numeric_limits<double>::epsilon();
 AlignedVector<Complex> forward(const PaddedFft& fft, const std::vector<double>& field)
 {
   AlignedVector<Complex> spectrum(fft.plane());
-  AlignedVector<double> scratch(fft.scratch_size());
+  PaddedFft::Scratch scratch = fft.make_scratch();
   fft.forward(field.data(), spectrum.data(), scratch);
   return spectrum;
 }
@@ -38,7 +38,7 @@ AlignedVector<Complex> forward_padded(const PaddedFft& fft, AlignedVector<double
 std::vector<double> inverse(const PaddedFft& fft, AlignedVector<Complex> spectrum)
 {
   std::vector<double> field(fft.grid().size());
-  AlignedVector<double> scratch(fft.scratch_size());
+  PaddedFft::Scratch scratch = fft.make_scratch();
   fft.inverse(spectrum.data(), field.data(), scratch);
   return field;
 }
