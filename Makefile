@@ -23,7 +23,7 @@ results := results/tugging-paper
 .PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package count bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
-setup: build/.setup-packages .venv/.setup-done
+setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
 
 build/.setup-packages: tools/setup.sh
 	@tools/setup.sh packages
@@ -32,7 +32,11 @@ build/.setup-packages: tools/setup.sh
 python_sources = pyproject.toml VERSION CMakeLists.txt $(shell find include src apps python/bindings -type f)
 
 .venv/.setup-done: tools/setup.sh $(python_sources) | build/.setup-packages
-	@mkdir -p build && flock build tools/setup.sh python
+	@mkdir -p build/release && flock build/release tools/setup.sh python
+	@touch $@
+
+.venv/.extras-done: pyproject.toml | .venv/.setup-done
+	@flock build/release tools/setup.sh extras
 	@touch $@
 
 # --- Build: configured once per preset, later by Ninja itself. The lock keeps two makes out of one build tree. --------
@@ -44,7 +48,7 @@ build: build/release/build.ninja
 	flock build/release cmake --build --preset release --parallel $(JOBS)
 
 # --- Test: both runners always run; the status is that of the worse one. Their reports are for tools/ci_times.py. -------
-test: build .venv/.setup-done
+test: .venv/.setup-done .venv/.extras-done build
 	@tools/setup.sh test
 	@status=0; rm -f build/ctest.xml build/pytest.xml; \
 	ctest --preset release --parallel $(JOBS) --output-junit $(CURDIR)/build/ctest.xml || status=1; \
@@ -71,12 +75,12 @@ run: .venv/.setup-done
 # --- Quality ----------------------------------------------------------------------------------------------------------
 cxx_files = $(shell find include src apps tests bench python/bindings -name '*.[ch]pp')
 
-format: build/.setup-packages .venv/.setup-done
+format: build/.setup-packages .venv/.extras-done
 	@clang-format -i $(cxx_files)
 	.venv/bin/ruff check --quiet --fix-only python
 	.venv/bin/ruff format --quiet python
 
-check: build/.setup-packages .venv/.setup-done
+check: build/.setup-packages .venv/.extras-done
 	@clang-format --dry-run -Werror --ferror-limit=1 $(cxx_files) || { echo "'make format' mends it"; exit 1; }
 	@echo "format: $(words $(cxx_files)) files"
 	@python3 tools/check_layers.py
@@ -92,7 +96,7 @@ tidy-ready: build/tidy/build.ninja build/files/build.ninja
 run_clang_tidy := run-clang-tidy -quiet -p build/tidy -j $(JOBS) -checks=-bugprone-suspicious-include
 
 tidy: tidy-ready
-	$(run_clang_tidy) "/brinell(_app|_program)?\.dir/Unity/"
+	$(run_clang_tidy) "/brinell_(numerics|simulation|io|app|program)\.dir/Unity/"
 	python3 tools/check_files.py build/files $(JOBS)
 
 tidy-changed: tidy-ready
@@ -121,10 +125,10 @@ package: build/.setup-packages .venv/.setup-done
 
 # Whether the engine works more than it did: instructions of small runs, in the wheel that `make package` has made for every
 # processor. COUNT_ARGS=--record makes the counts the new measure.
-count: wheels = dist/*-1baseline-*$(shell python3 -c 'import sys; v = sys.version_info; print("abi3" if v >= (3, 12) else "cp%d%d-manylinux" % v[:2])')*.whl
+count: wheels = dist/*$(shell python3 -c 'import sys; v = sys.version_info; print("abi3" if v >= (3, 12) else "cp%d%d-manylinux" % v[:2])')*.whl
 count: build/.setup-packages
 	tools/setup.sh count
-	@ls $(wheels) >/dev/null 2>&1 || { echo "make count: no wheel in dist for this Python; say 'make package PROCESSORS=x86-64' first" >&2; exit 1; }
+	@ls $(wheels) >/dev/null 2>&1 || { echo "make count: no wheel in dist for this Python; say 'make package' first" >&2; exit 1; }
 	python3 -m venv --clear build/count
 	build/count/bin/pip install --quiet --disable-pip-version-check $(wheels)
 	python3 bench/instructions.py build/count/bin/python $(COUNT_ARGS)
@@ -140,7 +144,7 @@ bench: build
 	done
 
 # --- Documentation: warnings are errors; the tutorials are run --------------------------------------------------------
-.venv/.docs-done: docs/requirements.txt .venv/.setup-done
+.venv/.docs-done: docs/requirements.txt .venv/.extras-done
 	@.venv/bin/pip install --quiet --disable-pip-version-check -r docs/requirements.txt
 	@touch $@
 

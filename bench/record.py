@@ -4,7 +4,7 @@
 
     make bench                                   # measures; JSON of Google Benchmark in build/bench
     bench/record.py build/bench/*.json           # appends a row per number
-    bench/render.py                              # writes the tables of docs/performance.md
+    bench/render.py                              # writes the tables of bench/notebook/recorded.md
 
 Of repeated runs (`--benchmark_repetitions`) the median is taken. Commit and number of threads are in the JSON, as
 `make bench` passes them on. The machine is named after its processor unless --machine says otherwise: numbers are

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the tables of docs/performance.md from bench/results.csv, between the two marks there.
+"""Writes the tables of bench/notebook/recorded.md from bench/results.csv, between the two marks there.
 
 With ``--check`` it only says whether the page is up to date: exit code 1 if it is not.
 """
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 BENCH = Path(__file__).resolve().parent
-PAGE = BENCH.parent / "docs" / "performance.md"
+PAGE = BENCH / "notebook" / "recorded.md"
 BEGIN = "<!-- measured: begin (bench/render.py) -->"
 END = "<!-- measured: end -->"
 
@@ -78,7 +78,7 @@ def rendered(rows: list[Row]) -> str:
     """The tables: a section per machine and number of threads, a table per question."""
     lines: list[str] = []
     for machine, threads in dict.fromkeys((row["machine"], row["threads"]) for row in rows):
-        lines += [f"### {machine}; {threads} thread{'s' if threads != '1' else ''}", ""]
+        lines += [f"## {machine}; {threads} thread{'s' if threads != '1' else ''}", ""]
         own = [row for row in rows if (row["machine"], row["threads"]) == (machine, threads)]
         families = dict.fromkeys([*QUESTIONS, *(row["benchmark"].split("/")[0] for row in own)])
         for family in families:

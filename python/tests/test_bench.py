@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The recorded benchmarks: the page is rendered from them, and their growth is that of the theory."""
+"""The recorded benchmarks: their page is rendered from them, and their growth is that of the theory."""
 
 import importlib.util
 import math

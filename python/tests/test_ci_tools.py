@@ -57,7 +57,7 @@ def test_a_unity_file_is_touched_with_one_of_its_sources(tmp_path: Path) -> None
     import changes
 
     for target, source in (
-        ("brinell", "src/contact/a.cpp"),
+        ("brinell_numerics", "src/contact/a.cpp"),
         ("brinell_app", "apps/b.cpp"),
         ("brinell_cli_tests", "c.cpp"),
     ):
@@ -65,7 +65,7 @@ def test_a_unity_file_is_touched_with_one_of_its_sources(tmp_path: Path) -> None
         unity.parent.mkdir(parents=True)
         unity.write_text(f'/* */\n#include "{changes.ROOT / source}"\n#include "{changes.ROOT / "src/other.cpp"}"\n')
     assert changes.unity_files(tmp_path, {"src/contact/a.cpp", "c.cpp"}) == [
-        str(tmp_path / "CMakeFiles/brinell.dir/Unity/unity_0_cxx.cxx")
+        str(tmp_path / "CMakeFiles/brinell_numerics.dir/Unity/unity_0_cxx.cxx")
     ]
     assert changes.unity_files(tmp_path, set()) == []
 

@@ -94,7 +94,7 @@ def test_forces_grow_to_those_of_steady_rolling(run: Run) -> None:
 def test_balls_that_hardly_creep_have_kalkers_forces() -> None:
     """C11 and C22 of a circle are 4.32 and 3.73 for nu = 0.3, between the rows of the table (Kalker 1967).
 
-    With 8 cells per radius forces are too large by 8 % (docs/verification.md).
+    With 8 cells per radius forces are too large by 8 % (docs/verification/accuracy.md).
     """
     small = 2e-6
     last = crept(creepage=[small, small], grid={"resolution": 8}).run(in_memory=True).passes[-1]

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # docs/_*: what the build of the site writes.
 PAGES = [
     page
-    for pattern in ("*.md", "bench/*.md", "cases/*/*.md", "docs/**/*.md")
+    for pattern in ("*.md", "bench/**/*.md", "cases/*/*.md", "docs/**/*.md")
     for page in sorted(ROOT.glob(pattern))
     if not any(part.startswith("_") for part in page.relative_to(ROOT).parts)
 ]
@@ -28,7 +28,7 @@ FENCED = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#{1,6} +(.+?) *$", re.MULTILINE)
 TAG = re.compile(r"\\tag\{([^}]*)\}")
-PAGE_NAMED = re.compile(r"\bdocs/[\w/-]+\.md\b")
+PAGE_NAMED = re.compile(r"\b(?:docs|bench)/[\w/-]+\.md\b")
 EQUATIONS_NAMED = re.compile(r"\b(docs/theory/[\w-]+\.md)((?:[\s/#]*,?[\s/#]*\([a-z-]+\))+)")
 
 

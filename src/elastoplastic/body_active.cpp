@@ -150,7 +150,7 @@ namespace
 {
 
 /// Extension of the step of trials along the flow, relative to their residual: for the cell's own flow along the surface in the
-/// uppermost layer, and for the local mean of this flow around the cell. docs/performance.md
+/// uppermost layer, and for the local mean of this flow around the cell. bench/notebook/2026-11-25-friction.md
 constexpr double own_extension = 0.7, mean_extension = 3.0;
 
 /// An active cell near the surface that flows.

@@ -17,7 +17,7 @@ namespace brinell::elastoplastic
 class SurfaceMeans
 {
 public:
-  static constexpr int layers = 4, half_x = 8, half_y = 4; ///< docs/performance.md
+  static constexpr int layers = 4, half_x = 8, half_y = 4; ///< bench/notebook/2026-11-25-friction.md
 
   explicit SurfaceMeans(const VolumeGrid& grid);
 

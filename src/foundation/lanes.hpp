@@ -19,7 +19,7 @@ inline constexpr int lane_count = 2;
 
 /// As many values as a register holds. It is a vector type of the compiler, so that sums stay in a register, which loops over
 /// arrays do not achieve. GCC 12 keeps vector types that are wider than a register in memory, which takes several times as long
-/// (docs/performance.md).
+/// (bench/notebook/2026-11-24-one-evaluation.md).
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 
 /// `lane_count` complex values, real and imaginary parts apart.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-/// Errors to expect of a run, from the tables of docs/verification.md: with its cells, with its steps, and of its dents.
+/// Errors to expect of a run, from the tables of docs/verification/accuracy.md: with its cells, with its steps, and of its dents.
 namespace brinell::simulation
 {
 
@@ -20,7 +20,7 @@ double error_of_steps(const Facts& f)
     return std::pow(*f.steps, -2.0);
   if (!f.shift || !(*f.shift > 1.01 * f.cell[0]))
     return 0.0;
-  // docs/verification.md (few steps)
+  // docs/verification/accuracy.md (few steps)
   const auto of_share = [](double share) { return 0.06 * std::pow(share / longest_share_of_radius, 1.8); };
   return of_share(*f.shift / f.half_x) - of_share(f.cell[0] / f.half_x);
 }
@@ -36,7 +36,7 @@ std::optional<double> growth_of_lower(const RunTotals& seen)
   const double lower = seen.max_residual_lower, upper = seen.max_residual_upper;
   if (!(lower > least * upper))
     return std::nullopt;
-  return std::sqrt(std::max(1.0, upper / lower)); // docs/verification.md (expected error)
+  return std::sqrt(std::max(1.0, upper / lower)); // docs/verification/accuracy.md (expected error)
 }
 
 /// All that the tables know about the quantities of the run.

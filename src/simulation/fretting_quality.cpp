@@ -42,13 +42,13 @@ std::optional<double> cells_across_ring(const FrettingCase& c, const FrettingPla
 constexpr double fewest_across_ring = 2.0;
 
 /// Error of heat and slip of a cycle with few cells across the slip annulus: 35 to 66 % of the heat with half a cell, 12 to 26 %
-/// with 0.9, 1 to 11 % with 1.6 to 1.9 (docs/verification.md, expected error).
+/// with 0.9, 1 to 11 % with 1.6 to 1.9 (docs/verification/accuracy.md, expected error).
 double error_of_thin_ring(double cells)
 {
   return std::min(1.0, 0.2 / (cells * cells));
 }
 
-// docs/verification.md (expected error)
+// docs/verification/accuracy.md (expected error)
 Facts facts(const FrettingCase& c, const FrettingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);

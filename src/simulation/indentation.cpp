@@ -191,7 +191,7 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
     throw InputError(fmt::format("an approach of {:.4g} m {}", largest.value, *reason));
 }
 
-// docs/verification.md (expected error)
+// docs/verification/accuracy.md (expected error)
 using Of = Documented::Of;
 constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::elastic_contact, 0.05};
 constexpr Documented documented[] = {

@@ -10,7 +10,7 @@
 namespace brinell::simulation
 {
 
-// Limits on cells and steps; with them an error is some percent in the tables of docs/verification.md.
+// Limits on cells and steps; with them an error is some percent in the tables of docs/verification/accuracy.md.
 inline constexpr double fewest_cells = 6.0; ///< per contact radius
 inline constexpr double fewest_cells_across =
     3.0; ///< across the motion, where cells twice as long cost only half a percent of the net energy

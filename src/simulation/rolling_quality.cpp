@@ -15,7 +15,7 @@ namespace brinell::simulation
 namespace
 {
 
-// docs/verification.md (expected error)
+// docs/verification/accuracy.md (expected error)
 constexpr Documented rut{"rut", "passes[*].rut_depth_m", 0.05, 4.0, 1.5, Documented::Of::contact, 0.3, true};
 /// The rut of a line contact is the small difference of large strains, of first order: the more so the larger the shear.
 constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0, Documented::Of::contact, 0.3, true};

@@ -235,7 +235,7 @@ private:
   int done_ = 0;        ///< number of finished steps
 };
 
-// docs/verification.md (expected error)
+// docs/verification/accuracy.md (expected error)
 constexpr Documented ploughing{
     "friction by ploughing", "strokes[*].friction_ploughing", 0.12, 4.2, 1.9, Documented::Of::contact, 0.3};
 constexpr Documented work_of_strokes{

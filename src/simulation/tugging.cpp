@@ -251,7 +251,7 @@ private:
   double interference_ = 0.0; ///< at the end of the last step; under a load, the approach [m]
 };
 
-// docs/verification.md (expected error)
+// docs/verification/accuracy.md (expected error)
 constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1, Documented::Of::elastic_contact};
 /// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
 constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Documented::Of::elastic_contact};

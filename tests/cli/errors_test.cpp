@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/processor.hpp"
 #include "program.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace brinell::cli::errors_test
 {
@@ -31,6 +33,15 @@ TEST_F(Errors, CommandLine)
   expect_refused({"run", "case.toml", "--treads", "3"}, {"--treads"});
   expect_refused({"run", "case.toml", "--threads", "0"}, {"--threads"});
   expect_refused({"run", "case.toml", "--set"}, {"--set"});
+}
+
+TEST_F(Errors, KindOfProcessorThatWasNotCompiled)
+{
+  ASSERT_EQ(setenv("BRINELL_PROCESSOR", "z80", 1), 0);
+  expect_refused({"schema"}, {"BRINELL_PROCESSOR = \"z80\"", chosen_processor()});
+  ASSERT_EQ(setenv("BRINELL_PROCESSOR", chosen_processor().c_str(), 1), 0);
+  EXPECT_EQ(run({"schema"}).exit_code, 0);
+  ASSERT_EQ(unsetenv("BRINELL_PROCESSOR"), 0);
 }
 
 TEST_F(Errors, TheNameAloneShowsHowToBegin)

@@ -182,7 +182,7 @@ Measured measured(double interference_ratio, double cells)
 
 TEST(CylinderTugging, TrendsOverTheInterference)
 {
-  // Ten cells per half-width: peaks of the forces to 1 %, energies to 3 % (docs/verification.md).
+  // Ten cells per half-width: peaks of the forces to 1 %, energies to 3 % (docs/verification/simulation.md, cylinders).
   if (slow_build)
     GTEST_SKIP() << too_slow;
   constexpr double cells = 10.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors of few steps, against the expected errors that such a run states: docs/verification.md (few steps).
+// Errors of few steps, against the expected errors that such a run states: docs/verification/accuracy.md (few steps).
 #include "record.hpp"
 #include "scenario_runs.hpp"
 

@@ -38,8 +38,8 @@ double asymmetry(const TuggingRun& run, double simulation::TuggingRecord::*force
 
 TEST(PaperTugging, DefaultMeshIsRightToOnePercent)
 {
-  // Nothing is said about the grid. Limits of fine meshes: docs/verification.md (convergence); of the peak of F_Z the value at
-  // 16 cells, which meshes from 12 on have to 0.1 %.
+  // Nothing is said about the grid. Limits of fine meshes: docs/verification/accuracy.md (convergence); of the peak of F_Z
+  // the value at 16 cells, which meshes from 12 on have to 0.1 %.
   if (slow_build)
     GTEST_SKIP() << "needs the default mesh: too slow in this build";
   simulation::TuggingCase t;

@@ -30,7 +30,7 @@ struct ExpectedError
   double relative = 0.0; ///< error relative to the value, at most 1
 };
 
-/// Resolution of the cells, and errors found with the same resolution in the convergence tables of docs/verification.md.
+/// Resolution of the cells, and errors found with the same resolution in the convergence tables of docs/verification/accuracy.md.
 struct Resolution
 {
   double cells_x =

@@ -24,7 +24,7 @@ struct TuggingCase : Numerics
   using Summary = TuggingSummary;
 
   /// Default resolution with errors of forces within 1 %, and of energies within 2 %, up to nine times the interference of first
-  /// yield: docs/verification.md.
+  /// yield: docs/verification/accuracy.md.
   TuggingCase() { resolution = 14.0; }
 
   ShapedBody

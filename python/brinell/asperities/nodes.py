@@ -28,7 +28,7 @@ FloatArray = NDArray[np.float64]
 _RADIUS = 1e-5
 """Equivalent radius of the runs [m]; the results are independent of it."""
 _ORDER = 1.5
-"""Lower bound of the order of convergence with the cell size: the lowest order in docs/verification.md."""
+"""Lower bound of the order of convergence with the cell size: the lowest order in docs/verification/accuracy.md."""
 
 
 def of_run(run: Run) -> dict[str, float]:

@@ -184,7 +184,7 @@ ScenarioIo<FrettingCase> description()
                 "cycles[].dissipation_friction_J", "cycles[].slip_amplitude_m"};
       },
       .steps = "fretting.steps_per_cycle",
-      .enough_steps = 32, // docs/verification.md (fretting): 0.5 % of the heat
+      .enough_steps = 32, // docs/verification/accuracy.md (fretting): 0.5 % of the heat
       .drive_kept = &FrettingCase::press,
       .cite = cite,
   };

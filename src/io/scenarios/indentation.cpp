@@ -205,7 +205,7 @@ ScenarioIo<IndentationCase> description()
                 "indents[].residual_depth_m"};
       },
       .steps = "indentation.steps",
-      .enough_steps = 4, // docs/verification.md (few steps)
+      .enough_steps = 4, // docs/verification/accuracy.md (few steps)
   };
 }
 

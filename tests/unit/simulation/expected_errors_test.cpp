@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which expected errors a result states, and where the tables of convergence do not hold: docs/verification.md (expected error).
+// Which expected errors a result states, and where the tables of convergence do not hold: docs/verification/accuracy.md
+// (expected error).
 #include "quality_cases.hpp"
 
 #include <gtest/gtest.h>
