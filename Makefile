@@ -2,8 +2,8 @@
 #   make build   compile with CMake (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
-# Further: setup, format, check, tidy, sanitize, sanitize-fast, docs, package, count, bench, clean. All of them may be repeated; what is done is
-# not redone.
+# Further: test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
+# bench, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -20,7 +20,7 @@ python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test run setup format check tidy sanitize sanitize-fast package count bench docs clean force
+.PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package count bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
@@ -47,13 +47,17 @@ build/%/build.ninja: CMakePresets.json $(if $(CMAKE_ARGS),force) | build/.setup-
 build: build/release/build.ninja
 	flock build/release cmake --build --preset release --parallel $(JOBS)
 
-# --- Test: both runners always run; the status is that of the worse one -----------------------------------------------
+# --- Test: both runners always run; the status is that of the worse one. Their reports are for tools/ci_times.py. -------
 test: .venv/.setup-done .venv/.extras-done build
 	@tools/setup.sh test
-	@status=0; \
-	ctest --preset release --parallel $(JOBS) || status=1; \
-	$(python) -m pytest --numprocesses $(JOBS) || status=1; \
+	@status=0; rm -f build/ctest.xml build/pytest.xml; \
+	ctest --preset release --parallel $(JOBS) --output-junit $(CURDIR)/build/ctest.xml || status=1; \
+	$(python) -m pytest --numprocesses $(JOBS) --dist worksteal --junitxml build/pytest.xml || status=1; \
 	exit $$status
+
+# Whole what .ci/run does in parts: all cases of random sweeps, the sanitizers on all tests, clang-tidy on all sources.
+test-all: export BRINELL_SWEEP = all
+test-all: test tidy sanitize
 
 # --- The paper's case -------------------------------------------------------------------------------------------------
 run: .venv/.setup-done
@@ -83,28 +87,38 @@ check: build/.setup-packages .venv/.extras-done
 	@.venv/bin/ruff check --quiet python && .venv/bin/ruff format --quiet --check python || { echo "'make format' mends some of it"; exit 1; }
 	@.venv/bin/mypy
 
-# Many sources at a time, since most of the time is that of reading headers; then what concerns a file alone, and that it compiles
-# alone.
-tidy: build/tidy/build.ninja build/files/build.ninja
+# Many sources at a time, since most of the time is that of reading headers; then what concerns a file alone, and that it
+# compiles alone. tidy-changed compiles what a change touches (tools/changes.py), and reads all files as text.
+tidy-ready: build/tidy/build.ninja build/files/build.ninja
 	@tools/setup.sh tidy
 	@set -e; for preset in tidy files; do flock build/$$preset cmake --build --preset $$preset --target brinell_version; done
-	run-clang-tidy -quiet -p build/tidy -j $(JOBS) -checks=-bugprone-suspicious-include "/brinell_(numerics|simulation|io|app|program)\.dir/Unity/"
+
+run_clang_tidy := run-clang-tidy -quiet -p build/tidy -j $(JOBS) -checks=-bugprone-suspicious-include
+
+tidy: tidy-ready
+	$(run_clang_tidy) "/brinell_(numerics|simulation|io|app|program)\.dir/Unity/"
 	python3 tools/check_files.py build/files $(JOBS)
+
+tidy-changed: tidy-ready
+	@set -e; touched=$$(tools/changes.py unity build/tidy); \
+	if [ -n "$$touched" ]; then $(run_clang_tidy) $$touched; fi
+	@set -e; touched=$$(tools/changes.py sources 2>/dev/null); \
+	python3 tools/check_files.py build/files $(JOBS) --only $$touched
 
 sanitize: build/sanitize/build.ninja
 	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS)
 	ctest --preset sanitize --parallel $(JOBS)
 
-# The floors one by one, without tests that compute for long; a quarter of an hour on two slow cores where the whole suite takes hours.
-long_tests := UserLaw.AlsoWhereTheEnergyGuards|TangentialContactTest.ConvergesForRandom|LongGridTest.TrackMeets|TextureFootprint.OfAPlane
-long_tests := $(long_tests)|ImageCorrectionTest.StrainHasNoImages|SofteningTest.AHeldContact|BuriedHeat.Cube|ThermalField.(Disc|Spot)
-long_tests := $(long_tests)|FrictionalContactTest.ABallIsPressedOnAnUnlike|PartialSlipTest.(Descent|FarShifts|AFailed|ForceAnd)
-long_tests := $(long_tests)|SlidingTest.(Nothing|Guarded|AFailure|Strokes|OfABall)|SlidingSurfaces.Patches|DescentTest.(EnergyFalls|Plain)
-long_tests := $(long_tests)|IncrementTest.(ThePlain|Failed|WorkOf)|StepperTest|RunTest.(GoesOn|Snapshots)|TexturedTugging|TuggingWear
-long_tests := $(long_tests)|FrettingTest.(Small|GridsGrow)|RollingCreepageTest.(TakenUp|TheOther)|WearTest.(GoesOn|AreaOf|OfMirror)
-sanitize-fast: build/sanitize/build.ninja
-	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS) --target brinell_unit_tests
-	ctest --preset sanitize --parallel $(JOBS) --timeout 300 -R '^unit\.' -E '$(long_tests)'
+# The unit tests that do not compute for long: of all floors, or of those that a change touches and those above.
+sanitize-fast: floors = $(notdir $(wildcard tests/unit/*))
+sanitize-changed: floors = $(shell tools/changes.py floors)
+sanitize-fast sanitize-changed: build/sanitize/build.ninja
+	@set -e; floors="$(strip $(floors))"; \
+	if [ -z "$$floors" ]; then echo "sanitize: no floor is touched"; exit 0; fi; \
+	flock build/sanitize cmake --build --preset sanitize --parallel $(JOBS) \
+	  --target $$(printf 'brinell_unit_%s_tests ' $$floors); \
+	ctest --preset sanitize --parallel $(JOBS) --timeout 300 --label-exclude long --no-tests=error \
+	  -R "^unit\.($${floors// /|})\."
 
 package: build/.setup-packages .venv/.setup-done
 	PYTHONS="$(PYTHONS)" tools/package.sh

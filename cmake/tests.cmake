@@ -1,4 +1,5 @@
-# One executable per kind of test; the kind is the CTest label: ctest -L unit.
+# One executable per kind of test, and of unit tests one per floor. The kind is the CTest label: ctest -L unit. A test is
+# called kind.Suite.Name or, of a unit test, unit.floor.Suite.Name.
 find_package(GTest 1.12 REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 include(GoogleTest)
@@ -20,38 +21,46 @@ target_compile_definitions(brinell_test_support ${scope}
   BRINELL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/brinell")
 
 # CTest runs as many tests at once as there are cores, so each gets one thread; tests of threading ask for more.
-function(brinell_add_tests label timeout)
+function(brinell_add_tests name label timeout)
   if(NOT ARGN)
     return()
   endif()
-  add_executable(brinell_${label}_tests ${ARGN})
-  target_link_libraries(brinell_${label}_tests PRIVATE
+  string(REPLACE "." "_" target brinell_${name}_tests)
+  add_executable(${target} ${ARGN})
+  target_link_libraries(${target} PRIVATE
     brinell_test_support brinell brinell_flags GTest::gtest GTest::gtest_main)
   # What takes long in a test is in the library.
   if(BRINELL_SANITIZE)
-    target_compile_options(brinell_${label}_tests PRIVATE -O1)
+    target_compile_options(${target} PRIVATE -O1)
   endif()
   # A third of the time of compiling; for the many temporaries of assertions, not for what is tested.
   if(BRINELL_SANITIZE)
-    target_compile_options(brinell_${label}_tests PRIVATE -fno-sanitize-address-use-after-scope)
+    target_compile_options(${target} PRIVATE -fno-sanitize-address-use-after-scope)
   endif()
-  gtest_discover_tests(brinell_${label}_tests
+  gtest_discover_tests(${target}
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
     NO_PRETTY_VALUES
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
-    TEST_PREFIX ${label}.
+    TEST_PREFIX ${name}.
     PROPERTIES LABELS ${label} TIMEOUT ${timeout} ENVIRONMENT OMP_NUM_THREADS=1)
 endfunction()
 
-file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS tests/unit/*_test.cpp)
+add_custom_target(brinell_unit_tests)
+file(GLOB floors CONFIGURE_DEPENDS LIST_DIRECTORIES ON RELATIVE ${PROJECT_SOURCE_DIR}/tests/unit tests/unit/*)
+foreach(floor IN LISTS floors)
+  file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS tests/unit/${floor}/*_test.cpp)
+  brinell_add_tests(unit.${floor} unit 300 ${unit_tests})
+  add_dependencies(brinell_unit_tests brinell_unit_${floor}_tests)
+endforeach()
 file(GLOB verification_tests CONFIGURE_DEPENDS tests/verification/*.cpp)
 file(GLOB regression_tests CONFIGURE_DEPENDS tests/regression/*_test.cpp)
 file(GLOB cli_tests CONFIGURE_DEPENDS tests/cli/*_test.cpp)
-brinell_add_tests(unit 300 ${unit_tests})
-brinell_add_tests(verification 1800 ${verification_tests})
-brinell_add_tests(regression 1800 ${regression_tests})
-brinell_add_tests(cli 600 ${cli_tests})
+brinell_add_tests(verification verification 1800 ${verification_tests})
+brinell_add_tests(regression regression 1800 ${regression_tests})
+brinell_add_tests(cli cli 600 ${cli_tests})
+# What takes long has a label and begins first. Read by CTest after the tests of the executables, which it finds as it runs.
+set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/cmake/long_tests.cmake)
 # These run the program. The others can be built without it.
 foreach(label regression cli)
   if(TARGET brinell_program AND TARGET brinell_${label}_tests)
@@ -64,6 +73,9 @@ endif()
 
 add_test(NAME unit.layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 set_tests_properties(unit.layers PROPERTIES LABELS unit)
+add_test(NAME unit.long COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_long_tests.py
+  ${CMAKE_CTEST_COMMAND} ${PROJECT_BINARY_DIR})
+set_tests_properties(unit.long PROPERTIES LABELS unit)
 
 # The library as somebody else finds it once it is installed.
 if(NOT PROJECT_IS_TOP_LEVEL)
@@ -77,4 +89,4 @@ else()
     ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} $<CONFIG> ${CMAKE_CXX_COMPILER} ${CMAKE_GENERATOR})
 endif()
 set_tests_properties(package.consumer PROPERTIES
-  LABELS package TIMEOUT 600 PROCESSORS 2 SKIP_RETURN_CODE 77 ENVIRONMENT OMP_NUM_THREADS=1)
+  LABELS package COST 60 TIMEOUT 600 PROCESSORS 2 SKIP_RETURN_CODE 77 ENVIRONMENT OMP_NUM_THREADS=1)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fails on a source that does not compile alone, includes a header twice or brings in a name that it does not use.
 
-Usage: tools/check_files.py BUILD [JOBS], where BUILD holds a compile_commands.json of src and apps, file by file.
+Usage: tools/check_files.py BUILD [JOBS [--only SOURCE...]], where BUILD holds a compile_commands.json of src and apps,
+file by file. With --only these sources alone are compiled; the text of all is read.
 
 The builds compile several sources at a time, where one may live on what another one includes. Headers of other libraries
 that many sources include would take most of the time: they are compiled once and given to all, so that a source which
@@ -82,11 +83,20 @@ def main() -> int:
         for entry in entries
         if any(Path(entry["file"]).is_relative_to(folder) for folder in checked)
     }
+    if "--only" in sys.argv:
+        wanted = {ROOT / source for source in sys.argv[sys.argv.index("--only") + 1 :]}
+        if unknown := sorted(str(source) for source in wanted - commands.keys()):
+            sys.exit(f"files: not in {build}: {' '.join(unknown)}")
+    else:
+        wanted = set(commands)
     texts = [path for folder in (*checked, ROOT / "include") for path in sorted(folder.rglob("*.[ch]pp"))]
-    found = [message for path in texts for message in untidy(path)] + compile_alone(commands, jobs)
+    found = [message for path in texts for message in untidy(path)] + compile_alone(
+        {source: command for source, command in commands.items() if source in wanted}, jobs
+    )
     for message in found:
         print(message)
-    print(f"files: {len(commands)} sources compiled alone, {len(texts)} files read, {len(found)} findings")
+    compiled = f"{len(wanted)} of {len(commands)} sources compiled alone"
+    print(f"files: {compiled}, {len(texts)} files read, {len(found)} findings")
     return 1 if found or not commands else 0
 
 

@@ -206,7 +206,7 @@ def tests_of(folder: Path) -> dict[tuple[str, str], bool]:
     """Suite and name of each test in the sources of a folder, and whether it records a number itself."""
     test = re.compile(r"^TEST(?:_[FP])?\((\w+),\s*(\w+)\)\n(.*?)^}", re.MULTILINE | re.DOTALL)
     return {
-        (suite, name): re.search(r"\bexpect_(close|within)\(", body) is not None
+        (suite, name): re.search(r"\b(expect_(close|within)|sweep)\(", body) is not None
         for source in sorted(folder.glob("*_test.cpp"))
         for suite, name, body in test.findall(source.read_text(encoding="utf-8"))
     }

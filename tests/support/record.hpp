@@ -64,12 +64,18 @@ inline void expect_close(const std::string& name, double measured, double expect
   record(name, {{"expected", expected}, {"measured", measured}, {"tolerance", tolerance}, {"origin", origin}});
 }
 
-/// low <= measured <= high with a record.
-inline void expect_within(const std::string& name, double measured, double low, double high, const std::string& origin)
+/// low <= measured <= high.
+inline void expect_between(const std::string& name, double measured, double low, double high, const std::string& origin)
 {
   EXPECT_TRUE(measured >= low && measured <= high)
       << name << " = " << measured << ", expected within [" << low << ", " << high << "] (" << origin << ")";
   std::printf("  %-58s %14.7g, expected within [%g, %g]\n", name.c_str(), measured, low, high);
+}
+
+/// The same with a record.
+inline void expect_within(const std::string& name, double measured, double low, double high, const std::string& origin)
+{
+  expect_between(name, measured, low, high, origin);
   record(name, {{"low", low}, {"high", high}, {"measured", measured}, {"origin", origin}});
 }
 

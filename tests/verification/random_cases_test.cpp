@@ -6,6 +6,7 @@
 #include "random_scenarios.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
+#include "sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -175,17 +176,25 @@ struct Outcome
     EXPECT_NEAR(residual(coarse) / residual(fine), 1.0, 0.35);
   }
 
-  void expect_sound(const std::string& scenario, double count)
+  void expect_sound(const std::string& scenario, const test::Sweep& cases)
   {
-    test::expect_within(scenario + ": share of cases that converge, or are refused", (converged + refused) / count, 1.0,
+    const double count = cases.size();
+    cases.expect_within(scenario + ": share of cases that converge, or are refused", (converged + refused) / count, 1.0,
                         1.0, "bound: all");
+    cases.expect_within(scenario + ": largest excess over the yield stress", largest_excess, 0.0, 3e-4,
+                        "three times the tolerance of the solver");
+    if (cases.is_whole())
+      expect_shares(scenario, count);
+  }
+
+  /// Of all cases: the few of a part may be those that are refused, split, out of balance or hard to solve.
+  void expect_shares(const std::string& scenario, double count)
+  {
     EXPECT_LE(refused, 0.1 * count);
     test::expect_within(scenario + ": evaluations per step, mean", evaluations / steps, 1.0, 20.0,
                         "bound: a third of those allowed");
     test::expect_within(scenario + ": increments that had to be split", split, 0.0, 0.02 * steps,
                         "bound: one in fifty");
-    test::expect_within(scenario + ": largest excess over the yield stress", largest_excess, 0.0, 3e-4,
-                        "three times the tolerance of the solver");
     // Of a mesh of 2.5 to 4 cells per contact radius and of as few as two steps: some percent, more in single runs, which then warn of it.
     std::sort(balance.begin(), balance.end());
     const auto share = [&](double of)
@@ -200,16 +209,19 @@ struct Outcome
 };
 
 template <typename Make>
-void sweep(const std::string& scenario, unsigned count, const Make& make)
+void sweep(const std::string& scenario, int count, const Make& make)
 {
+  const test::Sweep cases(count);
   Outcome outcome;
-  for (unsigned seed = 0; seed < count; ++seed)
+  for (int seed = 0; seed < count; ++seed)
   {
+    if (!cases.has(seed))
+      continue;
     SCOPED_TRACE(scenario + " " + std::to_string(seed));
-    Draw draw(seed);
+    Draw draw(static_cast<unsigned>(seed));
     outcome.run(make(draw), seed % 20 == 7 && !slow_build);
   }
-  outcome.expect_sound(scenario, count);
+  outcome.expect_sound(scenario, cases);
 }
 
 TEST(RandomCases, TuggingConvergesAndBalances)

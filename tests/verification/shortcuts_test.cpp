@@ -2,6 +2,7 @@
 #include "random_field.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
+#include "sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,11 +101,11 @@ struct Worst
 {
   double strain = 0.0, force = 0.0;
 
-  void tell(const std::string& sweep) const
+  void tell(const std::string& sweep, const test::Sweep& cases = test::Sweep(0)) const
   {
-    test::expect_within(sweep + ", largest difference of the plastic strain", strain, 0.0, 1e-3,
+    cases.expect_within(sweep + ", largest difference of the plastic strain", strain, 0.0, 1e-3,
                         "every layer and cell in every evaluation");
-    test::expect_within(sweep + ", largest difference of a force", force, 0.0, 1e-3,
+    cases.expect_within(sweep + ", largest difference of a force", force, 0.0, 1e-3,
                         "every layer and cell in every evaluation");
   }
 };
@@ -173,14 +174,17 @@ TEST(ShortCuts, RandomIndentations)
   const auto between = [&](double a, double b) { return test::uniform(engine, a, b); };
   Worst worst;
   const int count = slow_build ? 3 : 24;
+  const test::Sweep cases(count);
   for (int number = 0; number < count; ++number)
   {
     const Press press{between(0.9, 3.0), between(4.0, 8.0), static_cast<int>(std::exp(between(0.0, std::log(40.0)))),
                       static_cast<Profile>(static_cast<int>(between(0.0, 5.0))),
                       static_cast<Law>(static_cast<int>(between(0.0, 3.0)))};
+    if (!cases.has(number))
+      continue;
     expect_same("random press " + std::to_string(number), pressed(press), worst);
   }
-  worst.tell("random presses");
+  worst.tell("random presses", cases);
 }
 
 TEST(ShortCuts, Rolling)
@@ -189,6 +193,7 @@ TEST(ShortCuts, Rolling)
   const auto between = [&](double a, double b) { return test::uniform(engine, a, b); };
   Worst worst;
   const int count = slow_build ? 1 : 8;
+  const test::Sweep cases(count);
   for (int number = 0; number < count; ++number)
   {
     const double load = between(0.95, 3.0); // approach over that of first yield
@@ -204,9 +209,10 @@ TEST(ShortCuts, Rolling)
     c.load_steps = 3;
     c.resolution = between(4.0, number == 0 ? 12.0 : 6.0);
     c.extent = 0.7;
-    expect_same("rolling " + std::to_string(number), c, worst);
+    if (cases.has(number))
+      expect_same("rolling " + std::to_string(number), c, worst);
   }
-  worst.tell("rolling");
+  worst.tell("rolling", cases);
 }
 
 TEST(ShortCuts, Tugging)

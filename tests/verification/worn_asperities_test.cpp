@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace brinell::simulation::tugging_wear_test
+namespace brinell::simulation::worn_asperities_test
 {
 namespace
 {
@@ -178,4 +178,4 @@ TEST(TuggingWear, GoesOnFromACheckpointToTheLastDigit)
 }
 
 } // namespace
-} // namespace brinell::simulation::tugging_wear_test
+} // namespace brinell::simulation::worn_asperities_test
