@@ -3,8 +3,8 @@
 """Does a change make the engine work more? Usage: bench/instructions.py PYTHON [--record]
 
 Instructions of small runs in memory, on one thread, counted by valgrind: unlike times they are the same on a busy machine,
-to about 0.1 %. PYTHON is that of an environment with the wheel for every x86-64 processor (docs/install.md), so that the
-processor does not matter; the compiler does, and counts of another one are shown but not judged. What Python itself does
+to about 0.1 %. PYTHON is that of an environment with the wheel (docs/install.md), whose instructions for any x86-64 are
+counted, so that the processor does not matter; the compiler does, and counts of another one are shown but not judged. What Python itself does
 before and after is counted in a run of nothing and taken off.
 
 Ends with status 1 if a run takes more than 5 % above what bench/instructions.toml has; --record writes that file anew.
@@ -48,7 +48,7 @@ if sys.argv[1:]:
 def instructions(python: str, *arguments: str) -> int:
     """Of one process."""
     command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"]
-    environment = os.environ | {"OMP_NUM_THREADS": "1", "PYTHONHASHSEED": "0"}
+    environment = os.environ | {"OMP_NUM_THREADS": "1", "PYTHONHASHSEED": "0", "BRINELL_PROCESSOR": "x86-64"}
     with tempfile.TemporaryDirectory() as elsewhere:  # not beside the sources of the package
         done = subprocess.run(
             [*command, python, "-c", PROGRAM, *arguments],
@@ -82,7 +82,7 @@ def compiler(python: str) -> str:
 def main() -> int:
     """Counts, compares or records."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("python", help="of an environment with the wheel for every x86-64 processor")
+    parser.add_argument("python", help="of an environment with the wheel")
     parser.add_argument("--record", action="store_true", help="write the counts as the new measure")
     options = parser.parse_args()
     if not shutil.which("valgrind"):
