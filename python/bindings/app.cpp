@@ -102,8 +102,6 @@ void bind_commands(nb::module_& m)
       .def_ro("choices", &io::Entry::choices)
       .def_prop_ro("is_list", [](const io::Entry& e) { return e.of.type == io::Type::numbers; })
       .def_ro("text", &io::Entry::text);
-  nb::class_<io::OldName>(m, "OldName").def_ro("old_key", &io::OldName::old_key).def_ro("key", &io::OldName::key);
-  m.def("old_names", &io::old_names, nb::rv_policy::copy);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
   m.def("command_line", &command_line, "arguments"_a);

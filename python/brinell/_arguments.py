@@ -68,7 +68,7 @@ def _reason(
     known = {parameter.name: parameter for parameter in parameters}
     by_place = [name for name, one in known.items() if one.kind is inspect.Parameter.POSITIONAL_OR_KEYWORD]
     allowed = f"allowed: {', '.join(known) or 'none'}"
-    unknown = [name for name in given if name not in known and name not in getattr(function, "old_names", ())]
+    unknown = [name for name in given if name not in known]
     if unknown:
         found = ", ".join(f"{name} = {reprlib.repr(given[name])}" for name in unknown)
         hints = "".join(_hint(name, known, parts) for name in unknown)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from brinell.results import Run, RunWarning
 
-__all__ = ["Case", "CaseWarning", "HeightMaps", "OldNameWarning", "Progress", "ResolutionWarning"]
+__all__ = ["Case", "CaseWarning", "HeightMaps", "Progress", "ResolutionWarning"]
 
 _T = TypeVar("_T")
 
@@ -40,10 +40,6 @@ run as text, and the number of evaluations of the step."""
 
 class CaseWarning(UserWarning):
     """A case can be computed but has a setting that should be checked."""
-
-
-class OldNameWarning(CaseWarning, FutureWarning):
-    """A key of a case has been renamed; this version still accepts the old name, the next one will not."""
 
 
 class ResolutionWarning(UserWarning):
@@ -87,9 +83,8 @@ class Case:
         self._maps = dict(maps or {})
         self._core = _core.parse_case(text, self._file, list(self._overrides), self._maps, names_lines)
         place = f"{self._file}: " if names_lines else ""
-        for key, text in self._core.warnings:
-            category = OldNameWarning if key == "old_name" else CaseWarning
-            warnings.warn(f"{place}{text}", category, stacklevel=level_of_caller())
+        for _, text in self._core.warnings:
+            warnings.warn(f"{place}{text}", CaseWarning, stacklevel=level_of_caller())
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and other processes parse the case again, without repeating its warnings."""

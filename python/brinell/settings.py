@@ -14,7 +14,6 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Literal
 
-from brinell._names import renamed
 from brinell.bodies import Quantity
 
 __all__ = ["Grid", "HeatSource", "Heating", "Interface", "Output", "Solver", "Wear"]
@@ -148,7 +147,6 @@ class Heating(_Table):
     source: HeatSource | Mapping[str, Any] | None = None
 
 
-@renamed(max_iterations="max_evaluations")
 @dataclass(frozen=True, kw_only=True)
 class Solver(_Table):
     """Tolerances and methods of the solver.

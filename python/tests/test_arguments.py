@@ -117,14 +117,6 @@ def test_errors_from_inside_are_left_alone() -> None:
         untyped_picky()
 
 
-def test_old_names_are_no_mistakes() -> None:
-    with (
-        pytest.warns(FutureWarning, match="max_iterations"),
-        pytest.raises(brinell.ArgumentError, match=r"unknown argument tolerance = 1;"),
-    ):
-        untyped.Solver(max_iterations=5, tolerance=1)
-
-
 def test_what_tells_is_still_the_class_that_it_was() -> None:
     grid = brinell.Grid(resolution=8)
     assert list(inspect.signature(brinell.Sphere).parameters) == ["radius"]

@@ -194,3 +194,30 @@ def test_elastic_pair_has_no_critical_values(make_run: MakeRun) -> None:
     assert not run.has_critical_values
     with pytest.raises(RunError, match="both bodies are elastic"):
         _ = run.critical
+
+
+def test_passes_count_from_1(make_run: MakeRun) -> None:
+    run = open_run(make_run(passes=2))
+    assert [one["pass"][0] for one in run.history.passes()] == [1, 2]
+    with pytest.raises(brinell.InputError, match="pass_ = 0; allowed: 1 or more"):
+        brinell.plot.animate(run, pass_=0)
+
+
+def test_passes_places_and_cycles_count_from_1_in_a_run() -> None:
+    case = brinell.Indentation(
+        brinell.Body(brinell.Flat(), brinell.Material("200 GPa", 0.3, brinell.Perfect("1 GPa"))),
+        brinell.Body(brinell.Sphere("1 mm"), brinell.RIGID),
+        load=["20 N", 0],
+        steps=2,
+        cycles=2,
+        places=["0 um", "200 um"],
+        grid={"resolution": 3},
+    )
+    run = case.run(in_memory=True)
+    history = run.history
+    np.testing.assert_array_equal(history["step"], np.arange(16))
+    np.testing.assert_array_equal(history["pass"], np.repeat([1, 2, 3, 4], 4))
+    np.testing.assert_array_equal(history["place"], np.repeat([1, 2], 8))
+    assert [(one.place, one.cycle, one.x) for one in run.indents] == [(1, 1, 0), (1, 2, 0), (2, 1, 2e-4), (2, 2, 2e-4)]
+    assert np.all(history["evaluations"] >= 1)
+    assert np.sum(history["evaluations"]) == run.summary["run"]["evaluations"]  # type: ignore[index]

@@ -151,23 +151,6 @@ struct Entry
 /// Entry of a key, also of a key in a list of tables; nullptr if there is none.
 [[nodiscard]] const Entry* find_entry(std::string_view key);
 
-/// A key that was renamed. Its old name works for one more version, with a warning.
-struct OldName
-{
-  std::string_view old_key;
-  /// "solver.max_evaluations"; "a.b[].c" if the old key held a list, whose numbers are members c of the tables a.b now.
-  std::string_view key;
-};
-
-/// All renamed keys. A new entry is all that renaming needs, apart from docs/user-guide.md.
-[[nodiscard]] const std::vector<OldName>& old_names();
-
-/// The entry of an old name; nullptr if there is none.
-[[nodiscard]] const OldName* find_old_name(std::string_view key);
-
-/// The new name to use, for messages.
-[[nodiscard]] std::string new_name_text(const OldName& name);
-
 /// Whether some entry lies in the table `key`.
 [[nodiscard]] bool is_table(std::string_view key);
 

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import contiguous, number
-from brinell._names import renamed
 from brinell._reprs import cells
 from brinell.contact.normal import ContactResult, contact_result, default_tolerance, drive_of, not_solved
 from brinell.contact.tangential import TangentialResult, no_convergence, tangential_drive_of, tangential_result
@@ -20,7 +19,6 @@ from brinell.materials import RIGID, Material
 __all__ = ["FrictionResult", "FrictionalContact"]
 
 
-@renamed(dissipated="dissipation_friction")
 @dataclass(frozen=True)
 class FrictionResult:
     """Result of one step of a contact with friction.

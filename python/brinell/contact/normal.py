@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
-from brinell._names import level_of_caller, renamed
+from brinell._names import level_of_caller
 from brinell._reprs import cells
 from brinell.contact.areas import contact_area
 from brinell.errors import ConvergenceError, InputError
@@ -21,7 +21,6 @@ from brinell.materials import RIGID, Material
 __all__ = ["ContactResult", "ElasticContact"]
 
 
-@renamed(area="contact_area", iterations="contact_iterations")
 @dataclass(frozen=True)
 class ContactResult:
     """Result of a normal contact problem.

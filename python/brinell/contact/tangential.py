@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from brinell import _core
 from brinell._arrays import Array, contiguous, number
-from brinell._names import renamed
 from brinell._reprs import cells
 from brinell.contact.normal import load_tolerance
 from brinell.errors import ConvergenceError, InputError
@@ -20,7 +19,6 @@ from brinell.materials import RIGID, Material
 __all__ = ["TangentialContact", "TangentialResult"]
 
 
-@renamed(dissipated="dissipation_friction", iterations="contact_iterations")
 @dataclass(frozen=True)
 class TangentialResult:
     """Result of one step of a stick-slip problem.

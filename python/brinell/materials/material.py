@@ -10,7 +10,6 @@ from functools import cached_property
 from typing import Any
 
 from brinell import _core
-from brinell._names import renamed
 from brinell._values import plain
 from brinell.bodies import Quantity
 from brinell.errors import InputError
@@ -27,7 +26,6 @@ def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
     return tuple(tuple(plain(entry)) for entry in values)
 
 
-@renamed(kinematic="back_stresses")
 @dataclass(frozen=True)
 class Material:
     """A linear elastic material, which is elastic-plastic if it has a hardening law.

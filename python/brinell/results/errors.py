@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from brinell import _core
 from brinell.summary import RunError
 
-__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "reports_damage"]
+__all__ = ["FORMAT_VERSION", "RunError", "listed", "one_line", "other_version", "reports_damage"]
 
 FORMAT_VERSION: int = _core.FORMAT_VERSION
 """Version of the results format that this package reads."""
@@ -39,3 +39,11 @@ def reports_damage(path: object, part: str = "it") -> Iterator[None]:
 def listed(names: Sequence[object]) -> str:
     """Names for a message, separated by commas; "none" if there is none."""
     return ", ".join(map(str, names)) if names else "none"
+
+
+def other_version(place: object, version: object) -> RunError:
+    """Error of a result whose format version is not the one that this package reads."""
+    return RunError(
+        f"{place}: has format version {version}, but this brinell reads version {FORMAT_VERSION}; compute the run "
+        "again, or open it with the brinell that wrote it"
+    )

@@ -13,12 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell._names import warn_of_old_name
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
 from brinell.results.columns import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, scenario_of
 from brinell.results.errors import RunError, listed
-from brinell.results.old_format import OLD_COLUMNS, columns_of_today, has_old_columns
 from brinell.scenarios import Scenario
 
 if TYPE_CHECKING:
@@ -52,9 +50,6 @@ class History(dict[str, Column]):
         )
 
     def __missing__(self, name: str) -> Column:
-        if name in OLD_COLUMNS:
-            warn_of_old_name(f"the column {name}", OLD_COLUMNS[name])
-            return self[OLD_COLUMNS[name]]
         raise KeyError(f"no column {name!r}; {self._alternatives(str(name))}")
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -138,15 +133,14 @@ def read_history(folder: Path) -> History:
     lines = text[: text.rfind("\n") + 1].splitlines()
     names = lines[0].split(",") if lines else []
     try:
-        scenario_of([OLD_COLUMNS.get(name, name) for name in names])
+        scenario_of(names)
     except RunError as error:
         raise RunError(f"{path}:1: {error}") from error
     rows = [_row(cells, names, f"{path}:{line}") for line, cells in enumerate(csv.reader(lines[1:]), start=2)]
     if not rows:
         raise RunError(f"{path}: no finished step")
     table = np.array(rows, dtype=np.float64)
-    columns = {name: table[:, i] for i, name in enumerate(names)}
-    return History(columns_of_today(columns) if has_old_columns(names) else columns)
+    return History({name: table[:, i] for i, name in enumerate(names)})
 
 
 def _row(cells: Sequence[str], names: Sequence[str], where: str) -> list[float]:

@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from brinell.results.errors import FORMAT_VERSION, RunError
+from brinell.results.errors import FORMAT_VERSION, RunError, other_version
 from brinell.results.history import History, read_history
-from brinell.results.old_format import OLD_VERSION, summary_of_today
-from brinell.results.result_file import FILE_NAME, MemoryFile, ResultFile
+from brinell.results.result_file import MemoryFile, ResultFile
 from brinell.results.run import Run
 from brinell.scenarios import Scenario
 from brinell.summary import summary_place, unfinished
@@ -39,7 +38,7 @@ def open_run(path: str | Path, *, allow_unfinished: bool = False) -> Run:
         if not allow_unfinished:
             raise unfinished(path, history.steps)
         return Run(path, history, None)
-    run = Run(path, history, _checked_summary(summary, path, history.scenario))
+    run = Run(path, history, _of_scenario(summary, path, history.scenario))
     _require_all_steps(run)
     return run
 
@@ -69,7 +68,7 @@ def run_of_image(image: bytes) -> Run:
     with ResultFile(memory) as file:
         history, summary = file.history(), file.text("summary")
     path = Path("memory")
-    return Run(path, history, _checked_summary(summary or "", path, history.scenario), memory)
+    return Run(path, history, _of_scenario(_parsed(summary or "", path), path, history.scenario), memory)
 
 
 def _require_all_steps(run: Run) -> None:
@@ -84,27 +83,27 @@ def _require_all_steps(run: Run) -> None:
         )
 
 
-def _file_content(path: Path) -> tuple[History, str | None]:
+def _file_content(path: Path) -> tuple[History, dict[str, Any] | None]:
     with ResultFile(path) as file:
-        return file.history(), file.text("summary")
+        history, text = file.history(), file.text("summary")
+    return history, None if text is None else _parsed(text, path)
 
 
-def _folder_content(path: Path) -> tuple[History, str | None]:
-    if (path / "result.h5").is_file() and not (path / FILE_NAME).is_file():
-        raise RunError(f"{path}: format version 1, this program reads version {FORMAT_VERSION}; compute the run again")
+def _folder_content(path: Path) -> tuple[History, dict[str, Any] | None]:
     if (path / "sweep.json").is_file():
         raise RunError(f"{path}: is a sweep; name a run in its folder runs/, or take brinell.sweeps.open_sweep")
-    history = read_history(path)
-    summary = path / "summary.json"
-    if not summary.is_file():
-        return history, None
+    file = path / "summary.json"
+    if not file.is_file():
+        return read_history(path), None
     try:
-        return history, summary.read_text(encoding="utf-8")
+        text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise RunError(f"{summary}: cannot be read ({error})") from error
+        raise RunError(f"{file}: cannot be read ({error})") from error
+    summary = _parsed(text, path)  # first, because history.csv has no format version and may have other columns
+    return read_history(path), summary
 
 
-def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any]:
+def _parsed(text: str, path: Path) -> dict[str, Any]:
     place = summary_place(path)
     try:
         summary = json.loads(text)
@@ -115,8 +114,14 @@ def _checked_summary(text: str, path: Path, scenario: Scenario) -> dict[str, Any
     if not isinstance(summary, dict) or summary.get("format") != "brinell-summary":
         raise RunError(f"{place}: not a summary of brinell")
     version = summary.get("format_version")
-    if version not in (OLD_VERSION, FORMAT_VERSION):
-        raise RunError(f"{place}: format version {version}, this program reads version {FORMAT_VERSION}")
-    if summary.get("scenario") != scenario:
-        raise RunError(f"{place}: is of scenario {summary.get('scenario')!r}, but the history of {scenario!r}")
-    return summary_of_today(summary, FORMAT_VERSION) if version == OLD_VERSION else summary
+    if version != FORMAT_VERSION:
+        raise other_version(place, version)
+    return summary
+
+
+def _of_scenario(summary: dict[str, Any], path: Path, scenario: Scenario) -> dict[str, Any]:
+    """The summary, if it is of the scenario of the history."""
+    found = summary.get("scenario")
+    if found != scenario:
+        raise RunError(f"{summary_place(path)}: is of scenario {found!r}, but the history of {scenario!r}")
+    return summary

@@ -12,9 +12,8 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, reports_damage
+from brinell.results.errors import FORMAT_VERSION, RunError, listed, one_line, other_version, reports_damage
 from brinell.results.history import History
-from brinell.results.old_format import OLD_VERSION, columns_of_today
 from brinell.results.snapshots import Snapshot, row_of, snapshot_of
 from brinell.scenarios import SCENARIOS, Scenario
 
@@ -73,7 +72,6 @@ class ResultFile:
 
     def __init__(self, path: Source):
         self.path = path
-        self._is_old = False
         if isinstance(path, MemoryFile):
             self._file = path.opened
             return
@@ -94,9 +92,8 @@ class ResultFile:
         kind, version = (self._file.attrs.get(name) for name in ("format", "format_version"))
         if not isinstance(kind, str) or kind != "brinell-result":
             raise RunError(f"{self.path}: not a result of brinell")
-        if np.ndim(version) != 0 or version not in (OLD_VERSION, FORMAT_VERSION):
-            raise RunError(f"{self.path}: format version {version}, this program reads version {FORMAT_VERSION}")
-        self._is_old = bool(version == OLD_VERSION)
+        if np.ndim(version) != 0 or version != FORMAT_VERSION:
+            raise other_version(self.path, version)
 
     def __enter__(self) -> ResultFile:
         return self
@@ -123,7 +120,7 @@ class ResultFile:
         if not columns:
             raise RunError(f"{self.path}: no finished step")
         try:
-            return History(columns_of_today(columns) if self._is_old else columns)
+            return History(columns)
         except RunError as error:
             raise RunError(f"{self.path}: /history: {error}") from error
 
@@ -152,12 +149,7 @@ class ResultFile:
         group = self.group(name)
         with reports_damage(self.path, f"/{name}"):
             components = _Components(self.path, name, owner)
-            return snapshot_of(group, self._row(group), components, scenario, is_final=which == "final")
-
-    def _row(self, group: h5py.Group) -> dict[str, float]:
-        """A step's row of the history."""
-        row = row_of(group)
-        return columns_of_today(row) if self._is_old else row
+            return snapshot_of(group, row_of(group), components, scenario, is_final=which == "final")
 
     def group(self, name: str) -> h5py.Group:
         """HDF5 group of a state; until the run has finished it is a link to a file in snapshots/."""
@@ -190,6 +182,6 @@ class ResultFile:
         if not names:
             raise RunError(f"{self.path}: no stored step; [output] of the case chooses them")
         with reports_damage(self.path, "/steps"):
-            rows = {name: self._row(self.group(name)) for name in names}
+            rows = {name: row_of(self.group(name)) for name in names}
             distance = SCENARIOS[scenario].distance_from_middle
             return min(names, key=lambda name: (rows[name]["pass"], distance(rows[name])))

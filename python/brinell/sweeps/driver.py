@@ -19,15 +19,13 @@ import pandas as pd
 from tqdm.auto import tqdm
 
 from brinell import _core
-from brinell._names import warn_of_old_name
 from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import InputError
 from brinell.results import Run, open_run
-from brinell.results.old_format import table_of_today
 from brinell.sweeps.axes import Axis, Choices, axis_of
 from brinell.sweeps.designs import Design, Point, points_of
 from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder
-from brinell.sweeps.lists import key_of_today, table_of, with_whole_lists
+from brinell.sweeps.lists import table_of, with_whole_lists
 from brinell.sweeps.point import Outcome, Task
 from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
 
@@ -100,8 +98,7 @@ def open_sweep(path: str | Path) -> Sweep:
     path = Path(path)
     if read_record(path) is None or not (path / "table.parquet").is_file():
         raise InputError(f"{path}: no sweep, or none of which a run has ended")
-    table = pd.read_parquet(path / "table.parquet")
-    return Sweep(path, pd.DataFrame(table_of_today(dict(table.items()))))
+    return Sweep(path, pd.read_parquet(path / "table.parquet"))
 
 
 def sweep(
@@ -212,15 +209,9 @@ def _axes(over: Mapping[str, Any]) -> dict[str, Axis]:
     axes: dict[str, Axis] = {}
     for name, given in over.items():
         try:
-            axis = axis_of(given)
+            axes[name] = axis_of(given)
         except InputError as error:
             raise InputError(f"{name}: {error}") from error
-        key = key_of_today(name)
-        if key in axes:
-            raise InputError(f"{name} is an old name of {key}, which is an axis, too; keep one of them")
-        if key != name:
-            warn_of_old_name(name, key)
-        axes[key] = axis
     return axes
 
 

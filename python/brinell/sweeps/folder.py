@@ -19,9 +19,8 @@ import pandas as pd
 
 from brinell._toml import tomllib
 from brinell.errors import InputError, IoError
-from brinell.results.old_format import case_of_today
 from brinell.sweeps.designs import Point
-from brinell.sweeps.lists import entry_of, key_of_today
+from brinell.sweeps.lists import entry_of
 from brinell.sweeps.point import HARMLESS, Outcome, finished_summary
 
 __all__ = [
@@ -104,7 +103,7 @@ def start_folder(path: Path, record: Mapping[str, Any], *, resume: bool, retry_f
     of_case = _case_differences(earlier["case"], now["case"])
     changed = {key for key in of_case if retry_failed and _is_numerical(key)}
     differences = [text for key, text in of_case.items() if key not in changed]
-    differences += _axis_differences({key_of_today(key): axis for key, axis in earlier["axes"].items()}, now["axes"])
+    differences += _axis_differences(earlier["axes"], now["axes"])
     differences += [
         f"{key} was {earlier[key]}, is {now[key]}" for key in ("design", "samples", "seed") if earlier[key] != now[key]
     ]
@@ -139,13 +138,16 @@ def read_record(path: Path) -> dict[str, Any] | None:
     if not isinstance(record, dict) or record.get("format") != "brinell-sweep":
         raise InputError(f"{file}: is not of a sweep of brinell")
     if record.get("format_version") != FORMAT_VERSION:
-        raise InputError(f"{file}: format version {record.get('format_version')}, this is {FORMAT_VERSION}")
+        raise InputError(
+            f"{file}: has format version {record.get('format_version')}, but this brinell reads version "
+            f"{FORMAT_VERSION}; choose another folder"
+        )
     return record
 
 
 def _case_differences(earlier: str, now: str) -> dict[str, str]:
     """Texts about the differences of two cases by dotted key."""
-    before = flattened(case_of_today(tomllib.loads(earlier)), lists=True)
+    before = flattened(tomllib.loads(earlier), lists=True)
     after = flattened(tomllib.loads(now), lists=True)
     keys = [key for key in {**before, **after} if before.get(key) != after.get(key) and key not in HARMLESS]
     return {key: f"{key} of the case was {_short(before.get(key))}, is {_short(after.get(key))}" for key in keys}

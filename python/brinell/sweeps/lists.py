@@ -16,16 +16,10 @@ from brinell.case import Case
 from brinell.errors import InputError
 from brinell.sweeps.designs import Point
 
-__all__ = ["entry_of", "key_of_today", "table_of", "with_whole_lists"]
+__all__ = ["entry_of", "table_of", "with_whole_lists"]
 
 _LISTS = frozenset(key.key for key in _core.schema_keys() if key.is_list)
-_OLD_NAMES = {name.old_key: name.key.replace("[]", "[0]") for name in _core.old_names()}
 _NUMBERED = re.compile(r"(.+)\.(\d+)")
-
-
-def key_of_today(key: str) -> str:
-    """Present name of a key; for an old key that is now in a list, its first entry."""
-    return _OLD_NAMES.get(key, key)
 
 
 def entry_of(key: str, given: object) -> tuple[str, int] | None:

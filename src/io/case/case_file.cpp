@@ -91,7 +91,6 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
     for (const Warning& warning : result.warnings)
       problems.add_cause(raw.file, "the reason may be: " + warning.text);
   problems.throw_if_any();
-  result.warnings.insert(result.warnings.begin(), raw.warnings.begin(), raw.warnings.end());
   return result;
 }
 

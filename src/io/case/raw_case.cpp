@@ -4,7 +4,6 @@
 #include "brinell/io/schema.hpp"
 #include "io/files.hpp"
 #include "io/text.hpp"
-#include "old_names.hpp"
 #include "suggestion.hpp"
 #include "toml_text.hpp"
 #include "value_text.hpp"
@@ -91,8 +90,6 @@ void flatten(const toml::table& table, const std::string& prefix, Target& target
     const std::string place = target.place(key.source());
     if (key.str().find('[') != key.str().npos) // a quoted key; only --set may number a table
       target.problems.add(place, fmt::format("unknown key {}; {}", path, target.suggestion_for(path)));
-    else if (const OldName* old = find_old_name(path))
-      take_old_name(*old, {raw_value(node), place, !target.override_place.empty()}, target.raw_case, target.problems);
     else if (find_entry(path))
       target.raw_case.values.insert_or_assign(path, Given{raw_value(node), place, !target.override_place.empty()});
     else if (is_table(path) && node.is_table())
@@ -313,7 +310,6 @@ RawCase read_raw_case(std::string_view text, const std::filesystem::path& file,
   for (const std::string& item : overrides)
     apply_override(item, target.scenario, raw_case, problems);
   check_lists(raw_case, problems);
-  check_old_lists(raw_case, problems);
   return raw_case;
 }
 

@@ -39,7 +39,6 @@ struct Given
   Raw raw;
   std::string place; ///< "file:line" or "--set key=value"; empty as in RawCase::file
   bool from_command_line = false;
-  std::string_view old_name{}; ///< old name under which it was given; empty if given by its present name
 };
 
 /// The keys of a case file that the schema knows, with the overrides applied. Tables of a list are numbered from 0:
@@ -54,8 +53,6 @@ struct RawCase
   const HeightTables* height_tables = nullptr; ///< tables in memory to which texture.file may refer
 
   std::map<std::string, int, std::less<>> lists; ///< repeated tables with the number of their instances
-
-  std::vector<simulation::Warning> warnings; ///< about old names
 
   [[nodiscard]] const Given* find(std::string_view key) const;
   /// The table itself, or, if it is repeated, all its numbered instances.

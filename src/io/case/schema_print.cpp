@@ -110,9 +110,6 @@ Units are products of m, g, s, K, N, Pa, bar, J, W, rad with the prefixes p n u 
 `/` before each one that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`, an angle `deg`, `rad` or `mrad`. A quantity of
 the wrong dimension is an error.
 
-**Old names.** Keys that had another name before are understood for a version, with a warning: see [names that have
-changed](../user-guide.md#names-that-have-changed).
-
 **Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, reported together with file and line.
 
 **Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set lower.shape.radius="2 mm"`.
@@ -181,8 +178,6 @@ std::string allowed_values(const Entry& entry)
 
 std::string schema_text(std::string_view part)
 {
-  if (const OldName* old = find_old_name(part))
-    throw InputError(fmt::format("{} is now called {}", part, new_name_text(*old)));
   if (!part.empty() && !find_entry(part) && !is_table(part))
   {
     const auto keys = keys_with(part);

@@ -234,33 +234,6 @@ const Entry* find_entry(std::string_view key)
   return nullptr;
 }
 
-const std::vector<OldName>& old_names()
-{
-  static const std::vector<OldName> names{
-      {"solver.max_iterations", "solver.max_evaluations"},
-      {"lower.material.hardening.kinematic_moduli", "lower.material.hardening.back_stresses[].modulus"},
-      {"lower.material.hardening.kinematic_recall", "lower.material.hardening.back_stresses[].recall"},
-      {"upper.material.hardening.kinematic_moduli", "upper.material.hardening.back_stresses[].modulus"},
-      {"upper.material.hardening.kinematic_recall", "upper.material.hardening.back_stresses[].recall"},
-  };
-  return names;
-}
-
-const OldName* find_old_name(std::string_view key)
-{
-  const auto found =
-      std::find_if(old_names().begin(), old_names().end(), [&](const OldName& name) { return name.old_key == key; });
-  return found == old_names().end() ? nullptr : &*found;
-}
-
-std::string new_name_text(const OldName& name)
-{
-  const auto list = name.key.find("[]");
-  return list == name.key.npos
-             ? std::string(name.key)
-             : fmt::format("{}, a list of tables with the key {}", name.key.substr(0, list), name.key.substr(list + 3));
-}
-
 std::optional<Value> fallback_of(const Entry& entry, std::string_view scenario)
 {
   for (const auto& [name, value] : entry.fallback_in)
