@@ -3,7 +3,7 @@
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
 # Further: test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
-# bench, clean. All of them may be repeated; what is done is not redone.
+# arm64, bench, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -20,7 +20,7 @@ python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package count bench docs clean force
+.PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
@@ -122,6 +122,10 @@ sanitize-fast sanitize-changed: build/sanitize/build.ninja
 
 package: build/.setup-packages .venv/.setup-done
 	PYTHONS="$(PYTHONS)" tools/package.sh
+
+# The program for 64-bit Arm, by Debian's cross compiler, and a case with it under qemu.
+arm64: build
+	tools/build_arm64.sh
 
 # Whether the engine works more than it did: instructions of small runs, in the wheel that `make package` has made for every
 # processor. COUNT_ARGS=--record makes the counts the new measure.

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs what is missing to build, test and plot on Debian 12.
-# Usage: tools/setup.sh packages|python|extras|test|tidy|ccache|count|list
+# Usage: tools/setup.sh packages|python|extras|test|tidy|ccache|arm64|count|list
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -70,7 +70,8 @@ case "${1:-}" in
   test) install_packages "${test_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
+  arm64) install_packages g++-aarch64-linux-gnu qemu-user ;;
   count) install_packages valgrind binutils ;;
   list) echo "${engine_packages[*]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|extras|test|tidy|ccache|count|list" ;;
+  *) fail "usage: tools/setup.sh packages|python|extras|test|tidy|ccache|arm64|count|list" ;;
 esac

@@ -171,7 +171,7 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
                     const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
 {
-  constexpr double program = 22e6;                              // with its libraries and the writers of files
+  constexpr double program = 19e6;                              // with its libraries and the writers of files
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
   double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
