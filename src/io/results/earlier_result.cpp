@@ -27,7 +27,6 @@ struct Known
   std::string_view begin{};  ///< text with which the file begins
   std::string_view within{}; ///< text somewhere near its beginning
   std::string_view end{};    ///< text somewhere near its end
-  bool is_replaced = true;   ///< first written under its name with the suffix .part
 };
 
 /// The files in the order of their removal: the summary first.
@@ -37,11 +36,6 @@ constexpr Known known_files[] = {
     {.name = "result.vtkhdf", .begin = "\x89HDF", .within = result_mark},
     {.name = "resolved.toml", .begin = "scenario = ", .end = "\ncheckpoint_interval = "},
     {.name = checkpoint_file, .end = checkpoint_mark},
-    // files of format version 1
-    {.name = "result.h5", .begin = "\x89HDF", .within = result_mark},
-    {.name = "contact.xdmf", .within = "result.h5", .is_replaced = false},
-    {.name = "lower.xdmf", .within = "result.h5", .is_replaced = false},
-    {.name = "upper.xdmf", .within = "result.h5", .is_replaced = false},
 };
 
 constexpr Known piece = {.name = "000012.h5", .end = piece_mark};
@@ -131,8 +125,7 @@ std::vector<std::string> foreign_files(const fs::path& folder)
   for (const Known& known : known_files)
   {
     check(std::string(known.name), known);
-    if (known.is_replaced)
-      check(fmt::format("{}.part", known.name), known);
+    check(fmt::format("{}.part", known.name), known);
   }
   if (is_there(folder / pieces_folder) && !fs::is_directory(folder / pieces_folder))
     names.emplace_back(pieces_folder);
@@ -157,8 +150,7 @@ bool remove_earlier_result(const fs::path& folder)
   for (const Known& known : known_files)
   {
     found = removed(folder / known.name) || found;
-    if (known.is_replaced)
-      removed(folder / fmt::format("{}.part", known.name));
+    removed(folder / fmt::format("{}.part", known.name));
   }
   found = remove_pieces(folder) || found;
   remove_resolved_maps(folder);

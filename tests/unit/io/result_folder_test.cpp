@@ -42,11 +42,8 @@ TEST(ResultFolder, EarlierResultGoesBeforeTheNewOneBegins)
     EXPECT_FALSE(first.replaced()) << "a file of the user is no result";
   }
   write_complete(folder.path(), c);
-  for (const char* of_version_1 : {"result.h5", "contact.xdmf", "lower.xdmf", "upper.xdmf"})
-    std::ofstream(folder.path() / of_version_1) << "of another result";
   const ResultDirectory again(folder.path(), c);
   EXPECT_TRUE(again.replaced());
-  EXPECT_FALSE(fs::exists(folder.path() / "result.h5") || fs::exists(folder.path() / "contact.xdmf"));
   EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   EXPECT_TRUE(dataset(folder.path() / "result.vtkhdf", "/steps/000000/contact/pressure").empty());
   EXPECT_TRUE(fs::exists(folder.path() / "notes.txt"));
@@ -58,7 +55,7 @@ TEST(ResultFolder, OnlyFilesOfARunAreRemoved)
   const sample::TemporaryFolder folder;
   const Case c = sample::parsed();
   for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "resolved.toml", "checkpoint.h5",
-                           "result.h5", "contact.xdmf", "snapshots/000012.h5", "snapshots"})
+                           "snapshots/000012.h5", "snapshots"})
   {
     const fs::path place = folder.path() / "of-somebody";
     fs::remove_all(place);
