@@ -39,6 +39,7 @@ RUNS = {
 PROGRAM = """
 import sys, warnings
 import brinell
+brinell.Case, brinell.Run, brinell.Tugging  # loads their modules, also in the run of nothing
 warnings.simplefilter("ignore")
 if sys.argv[1:]:
     brinell.Case.from_file(sys.argv[1], sys.argv[2:]).run(in_memory=True, threads=1)
