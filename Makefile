@@ -96,7 +96,7 @@ tidy-ready: build/tidy/build.ninja build/files/build.ninja
 run_clang_tidy := run-clang-tidy -quiet -p build/tidy -j $(JOBS) -checks=-bugprone-suspicious-include
 
 tidy: tidy-ready
-	$(run_clang_tidy) "/brinell_(numerics|simulation|io|app|program)\.dir/Unity/"
+	$(run_clang_tidy) "/brinell_(numerics|processor|simulation|io|app|program)\.dir/Unity/"
 	python3 tools/check_files.py build/files $(JOBS)
 
 tidy-changed: tidy-ready

@@ -113,7 +113,7 @@ def unity_files(build: Path, touched: set[str]) -> list[str]:
     return [
         str(unity)
         for unity in sorted(build.resolve().glob("CMakeFiles/brinell*.dir/Unity/unity_*.cxx"))
-        if re.search(r"/brinell_(numerics|simulation|io|app|program)\.dir/", str(unity))
+        if re.search(r"/brinell_(numerics|processor|simulation|io|app|program)\.dir/", str(unity))
         and touched & {os.path.relpath(source, ROOT) for source in included.findall(unity.read_text(encoding="utf-8"))}
     ]
 
