@@ -21,7 +21,10 @@ int best_parts(int length)
 {
   int best = 1;
   const auto used = [](int parts)
-  { return static_cast<double>(parts) / ((parts + lane_count - 1) / lane_count * lane_count); };
+  {
+    const int lanes = (parts + lane_count - 1) / lane_count * lane_count; // of whole registers
+    return static_cast<double>(parts) / lanes;
+  };
   for (const int parts : {4, 8, 2, 7, 5, 3})
     if (length % parts == 0 && used(parts) > used(best))
       best = parts;
