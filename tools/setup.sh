@@ -14,7 +14,8 @@ tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }
 
-pip=(.venv/bin/pip install --quiet --disable-pip-version-check)
+# Python compiles the modules that are used when they are first imported: half of pip's time would go into all others.
+pip=(.venv/bin/pip install --no-compile --quiet --disable-pip-version-check)
 mirror="It needs the Python package index or a mirror set in pip's own configuration; then say 'make setup' again."
 
 is_installed() { [[ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]; }
@@ -44,7 +45,7 @@ make_venv() {
   echo "setup: compiling the engine and its Python package into .venv, which takes some minutes the first time"
   mkdir -p build
   local log=build/setup-python.log
-  .venv/bin/pip install --verbose --disable-pip-version-check --no-build-isolation --config-settings=editable.mode=redirect \
+  .venv/bin/pip install --no-compile --verbose --disable-pip-version-check --no-build-isolation --config-settings=editable.mode=redirect \
     --config-settings=build-dir=build/release --config-settings=build.targets=brinell_core \
     --config-settings=cmake.define.BRINELL_TESTS=ON --config-settings=cmake.define.BRINELL_BENCHMARKS=ON -e . 2>&1 |
     tee "$log" | show_progress || fail "the package could not be compiled or installed into .venv; the end of $log:
