@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/anderson.hpp"
 
+#include "foundation/matrix.hpp"
 #include "foundation/sharing.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace brinell::elastoplastic
@@ -16,29 +18,28 @@ namespace
 /// a . b over the unknowns [first, last).
 double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t first, std::size_t last)
 {
-  using Vector = Eigen::Map<const Eigen::VectorXd>;
-  const auto size = static_cast<Eigen::Index>(last - first);
-  return Vector(a.data() + first, size).dot(Vector(b.data() + first, size));
+  return scalar_product({a.data() + first, last - first}, {b.data() + first, last - first});
 }
 
-/// Scalar products for each difference d (one row each): newest dy with df of d, dy of d with the newest df, dy of d with f.
+/// Scalar products for each difference d: newest dy with df of d, dy of d with the newest df, dy of d with f.
 struct Products
 {
-  enum : Eigen::Index
+  struct OfDifference
   {
-    newest_flow,
-    newest_residual,
-    residual,
-    count
+    double newest_flow, newest_residual, residual;
   };
-  Eigen::Array<double, Eigen::Dynamic, count> rows;
+  std::vector<OfDifference> of;
 
   Products& operator+=(const Products& other)
   {
-    if (rows.size() == 0)
-      rows = other.rows;
-    else
-      rows += other.rows;
+    for (std::size_t d = 0; d < of.size(); ++d)
+    {
+      of[d].newest_flow += other.of[d].newest_flow;
+      of[d].newest_residual += other.of[d].newest_residual;
+      of[d].residual += other.of[d].residual;
+    }
+    if (of.empty())
+      of = other.of;
     return *this;
   }
 };
@@ -87,15 +88,17 @@ std::vector<double> Anderson::weights(std::size_t used) const
 {
   if (used == 0)
     return {};
-  const auto m = static_cast<Eigen::Index>(used);
-  Eigen::MatrixXd products(m, m);
-  for (std::size_t a = 0; a < used; ++a)
-    for (std::size_t b = 0; b < used; ++b)
-      products(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) = products_[a * depth_ + b];
+  const int m = static_cast<int>(used);
+  Matrix products(m, m);
+  for (int a = 0; a < m; ++a)
+    for (int b = 0; b < m; ++b)
+      products(a, b) = products_[static_cast<std::size_t>(a) * depth_ + static_cast<std::size_t>(b)];
   // Differences that have become parallel carry no information: damp them relative to the size of the system.
-  products.diagonal() *= 1.0 + 1e-12;
-  const Eigen::VectorXd weight = products.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(right_.data(), m));
-  return weight.allFinite() ? std::vector<double>(weight.begin(), weight.end()) : std::vector<double>();
+  for (int a = 0; a < m; ++a)
+    products(a, a) *= 1.0 + 1e-12;
+  std::vector<double> weight = solve(products, {right_.data(), used});
+  const bool is_finite = std::all_of(weight.begin(), weight.end(), [](double w) { return std::isfinite(w); });
+  return is_finite ? weight : std::vector<double>();
 }
 
 /// Makes room for new unknowns; their differences to the previous evaluation are zero.
@@ -134,35 +137,33 @@ void Anderson::record(std::span<const double> x, std::span<const double> g, std:
       previous_f_[i] = f;
       previous_y_[i] = y[i];
     }
-    Products sums{Eigen::Array<double, Eigen::Dynamic, Products::count>::Zero(static_cast<Eigen::Index>(known), 3)};
+    Products sums{std::vector<Products::OfDifference>(known)};
     for (std::size_t d = 0; d < known; ++d)
     {
-      const auto row = static_cast<Eigen::Index>(d);
       if (compare)
       {
-        sums.rows(row, Products::newest_flow) = product(dy_[slot], df_[d], first, last);
-        sums.rows(row, Products::newest_residual) = product(dy_[d], df_[slot], first, last);
+        sums.of[d].newest_flow = product(dy_[slot], df_[d], first, last);
+        sums.of[d].newest_residual = product(dy_[d], df_[slot], first, last);
       }
       if (!compare || d == slot)
-        sums.rows(row, Products::residual) = product(dy_[d], previous_f_, first, last);
+        sums.of[d].residual = product(dy_[d], previous_f_, first, last);
     }
     return sums;
   };
   Products sums = sum_of_pieces(x.size(), update_piece);
   if (x.empty())
-    sums.rows.setZero(static_cast<Eigen::Index>(known), Products::count);
+    sums.of.resize(known);
   for (std::size_t d = 0; d < known; ++d)
   {
-    const auto row = static_cast<Eigen::Index>(d);
     if (compare)
     {
-      products_[slot * depth_ + d] = sums.rows(row, Products::newest_flow);
-      products_[d * depth_ + slot] = sums.rows(row, Products::newest_residual);
+      products_[slot * depth_ + d] = sums.of[d].newest_flow;
+      products_[d * depth_ + slot] = sums.of[d].newest_residual;
     }
     if (compare && d != slot) // f has changed by the newest df
       right_[d] += products_[d * depth_ + slot];
     else
-      right_[d] = sums.rows(row, Products::residual);
+      right_[d] = sums.of[d].residual;
   }
 }
 

@@ -23,9 +23,6 @@ constexpr double far_decay = 12.0;
 /// Largest ratio of the periods of a lattice whose images a polynomial can represent.
 constexpr double tolerated_aspect = 1.2;
 
-using Plane = Eigen::Map<Eigen::MatrixXd>;
-using ConstPlane = Eigen::Map<const Eigen::MatrixXd>;
-
 /// Distance from the edge of the grid to the nearest image of its other edge [m].
 double gap(int cells, double spacing, double period)
 {
@@ -76,7 +73,7 @@ CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const Elastic& elastic,
   const int cells_along = along_x_ ? s.nx : s.ny;
   const double spacing = along_x_ ? s.dx : s.dy;
   waves_ = std::min(waves_, cells_along); // no more than the padded cells can resolve
-  along_.resize(cells_along, 2 * waves_);
+  along_ = Matrix(cells_along, 2 * waves_);
   for (int wave = 0; wave < waves_; ++wave)
     for (int i = 0; i < cells_along; ++i)
     {
@@ -148,7 +145,7 @@ void CrosswiseImages::fit(int wave, const Elastic& elastic, double period_along,
       std::vector<images::Powers> terms;
       for (int b = images::is_odd(odd_across(), c, e) ? 1 : 0; b <= degree; b += 2)
         terms.push_back(along_x_ ? images::Powers{0, b} : images::Powers{b, 0});
-      const std::vector<Eigen::MatrixXd> values = images::fitted(samples, c, e, distances, depth_, terms);
+      const std::vector<Matrix> values = images::fitted(samples, c, e, distances, depth_, terms);
       const bool changes_sign = is_odd_along(e) && !is_odd_along(c);
       for (std::size_t t = 0; t < terms.size(); ++t)
         coupling_.set(wave, c, e, terms[t][0] + terms[t][1], (changes_sign ? -1.0 : 1.0) * grid_.cell_volume(),
@@ -188,12 +185,9 @@ void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry,
 {
 #pragma omp parallel for schedule(static)
   for (int e = 0; e < strains; ++e)
-  {
-    const ConstPlane of_layers(response.of_layers.data() + static_cast<std::ptrdiff_t>(e * grid_.nz * block()), block(),
-                               layers);
-    Plane(response.moments.data() + static_cast<std::ptrdiff_t>(e * depth_.count * block()), block(), depth_.count)
-        .noalias() = of_layers * depth_.means.topRows(layers);
-  }
+    assign_product({response.of_layers.data() + static_cast<std::ptrdiff_t>(e * grid_.nz * block()), block(), layers},
+                   {depth_.means, layers, depth_.count},
+                   response.moments.data() + static_cast<std::ptrdiff_t>(e * depth_.count * block()));
   for (int part = 0; part < coupling_.parts(); ++part)
     multiply(part, response, along_x_ ? symmetry : Symmetry::none, with_trace ? stresses : strains);
 }
@@ -230,17 +224,23 @@ void CrosswiseImages::multiply(int part, Response& response, Symmetry symmetry, 
               });
 }
 
-Eigen::VectorXd CrosswiseImages::amplitudes(const Response& response, int component, int layer) const
+std::vector<double> CrosswiseImages::amplitudes(const Response& response, int component, int layer) const
 {
-  const ConstPlane of_depths(response.stress.data() + static_cast<std::ptrdiff_t>(component * depth_.count * block()),
-                             block(), depth_.count);
-  return of_depths * depth_.means.row(layer).transpose();
+  std::vector<double> means, in_layer(static_cast<std::size_t>(block()));
+  for (int q = 0; q < depth_.count; ++q)
+    means.push_back(depth_.means(layer, q));
+  assign_product(
+      {response.stress.data() + static_cast<std::ptrdiff_t>(component * depth_.count * block()), block(), depth_.count},
+      {means.data(), depth_.count, 1}, in_layer.data());
+  return in_layer;
 }
 
 CrosswiseImages::Columns CrosswiseImages::stress(const Response& response, int component, int layer) const
 {
-  const Eigen::VectorXd in_layer = amplitudes(response, component, layer);
-  return along_ * ConstPlane(in_layer.data(), 2 * waves_, powers);
+  const std::vector<double> in_layer = amplitudes(response, component, layer);
+  Columns sums(along_.rows(), powers);
+  assign_product(along_, {in_layer.data(), 2 * waves_, powers}, sums.column(0));
+  return sums;
 }
 
 } // namespace brinell::halfspace

@@ -40,7 +40,7 @@ public:
   };
   [[nodiscard]] Response make_response() const;
   /// Sums over y (or x) of a field in one layer, times powers of the coordinate across the grid: [cell along][power].
-  using Columns = Eigen::MatrixXd;
+  using Columns = Matrix;
   static constexpr int degree = 6; ///< largest power of the distance across the grid
   static constexpr int powers = degree + 1;
   [[nodiscard]] bool is_along_x() const { return along_x_; }
@@ -52,18 +52,18 @@ public:
                              Response& response) const;
   void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
   /// Amplitudes of the waves of the stress of the images in one layer, [power][wave].
-  [[nodiscard]] Eigen::VectorXd amplitudes(const Response& response, int component, int layer) const;
+  [[nodiscard]] std::vector<double> amplitudes(const Response& response, int component, int layer) const;
   /// Sums of the waves at neighbouring cells along the grid, for the powers `first_power`, `first_power + next`, ...
   template <int first_power, int next>
-  [[nodiscard]] std::array<Lanes, powers> sums_of_waves(const Eigen::VectorXd& amplitudes, int first,
+  [[nodiscard]] std::array<Lanes, powers> sums_of_waves(const std::vector<double>& amplitudes, int first,
                                                         std::size_t cells) const
   {
     std::array<Lanes, powers> sums{};
     for (int wave = 0; wave < waves(); ++wave)
     {
-      const Lanes along = load_lanes(along_.col(wave).data() + first, cells);
+      const Lanes along = load_lanes(along_.column(wave) + first, cells);
       for (int b = first_power; b < powers; b += next)
-        sums[static_cast<std::size_t>(b)] += amplitudes[b * waves() + wave] * along;
+        sums[static_cast<std::size_t>(b)] += amplitudes[static_cast<std::size_t>(b * waves() + wave)] * along;
     }
     return sums;
   }
@@ -85,7 +85,7 @@ private:
   int multiple_;
   int waves_; ///< number of wavenumbers 2 pi i / period, i < waves_, each with a cosine and a sine
   images::DepthBasis depth_;
-  Eigen::MatrixXd along_;              ///< [cell][2 i: cos, 2 i + 1: sin]
+  Matrix along_;                       ///< [cell][2 i: cos, 2 i + 1: sin]
   AlignedVector<Lanes> along_of_cell_; ///< the same values, [cell][wave], zero beyond the last wave
   WaveCoupling coupling_;
 };

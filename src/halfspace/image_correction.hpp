@@ -81,7 +81,7 @@ private:
   VolumeGrid grid_;
   bool has_images_;                          ///< false if the body is periodic along both axes
   std::optional<CrosswiseImages> crosswise_; ///< only for a long grid
-  Eigen::MatrixXd x_, y_;                    ///< powers of the cells' coordinates: [cell][power]
+  Matrix x_, y_;                             ///< powers of the cells' coordinates: [cell][power]
   images::DepthBasis depth_;
   MomentCoupling coupling_;
 };

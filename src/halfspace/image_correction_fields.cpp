@@ -51,7 +51,8 @@ void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cell
   constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
   constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
-  CrosswiseImages::Columns columns = CrosswiseImages::Columns::Zero(crosswise_ ? s.nx : 0, CrosswiseImages::powers);
+  CrosswiseImages::Columns columns =
+      crosswise_ ? CrosswiseImages::Columns(s.nx, CrosswiseImages::powers) : CrosswiseImages::Columns();
   std::array<Lanes, powers> sum{};
   // The same lanes, and so the same sums, as for the whole row.
   const int begin = cells.first_x / lane_count * lane_count;
@@ -75,12 +76,12 @@ void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cell
     }
     for (int a = 0; a <= degree; ++a)
     {
-      const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);
+      const Lanes x = load_lanes(x_.column(a) + first, used);
       for (int b = first_power; a + b <= degree; b += next)
         sum[static_cast<std::size_t>(monomial(a, b))] += x * of_columns[static_cast<std::size_t>(b)];
     }
     for (int b = first_power; crosswise_ && b < CrosswiseImages::powers; b += next)
-      store_lanes(of_columns[static_cast<std::size_t>(b)], used, columns.col(b).data() + first);
+      store_lanes(of_columns[static_cast<std::size_t>(b)], used, columns.column(b) + first);
   }
   double* moment = response.of_layers.data() + static_cast<std::ptrdiff_t>((component * grid_.nz + layer) * powers);
   std::fill_n(moment, powers, 0.0);
@@ -100,10 +101,10 @@ CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY
   const SurfaceGrid& s = grid_.surface;
   const int rows = independent_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
   CrosswiseImages::Columns sums(s.ny, CrosswiseImages::powers);
-  sums.topRows(rows).noalias() =
-      Eigen::Map<const Eigen::MatrixXd>(field, s.nx, rows).transpose() * x_.leftCols(CrosswiseImages::powers);
-  for (int j = rows; j < s.ny; ++j)
-    sums.row(j) = (has == PowersOfY::odd ? -1.0 : 1.0) * sums.row(s.ny - 1 - j);
+  assign_transposed_product({field, s.nx, rows}, {x_, s.nx, CrosswiseImages::powers}, sums);
+  for (int power = 0; power < CrosswiseImages::powers; ++power)
+    for (int j = rows; j < s.ny; ++j)
+      sums(j, power) = (has == PowersOfY::odd ? -1.0 : 1.0) * sums(s.ny - 1 - j, power);
   return sums;
 }
 
@@ -129,15 +130,14 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
   constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
   constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
-  Eigen::VectorXd along_x;
+  std::vector<double> along_x;
   if (crosswise_ && crosswise_->is_along_x())
     along_x = crosswise_->amplitudes(response.crosswise, component, layer);
   else if (crosswise_)
   {
     const int rows = independent_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
-    Eigen::Map<Eigen::MatrixXd>(stress, s.nx, rows).noalias() -=
-        x_.leftCols(CrosswiseImages::powers) *
-        crosswise_->stress(response.crosswise, component, layer).topRows(rows).transpose();
+    subtract_product({x_, s.nx, CrosswiseImages::powers},
+                     {crosswise_->stress(response.crosswise, component, layer), rows, CrosswiseImages::powers}, stress);
   }
   std::array<double, powers> of_depth{};
   for (int q = 0; q < depth_.count; ++q)
@@ -149,14 +149,14 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
     std::array<Lanes, degree + 1> of_columns{}; // coefficients of the powers of y
-    if (along_x.size() > 0)
+    if (!along_x.empty())
     {
       const auto sums = crosswise_->sums_of_waves<first_power, next>(along_x, first, used);
       std::copy(sums.begin(), sums.end(), of_columns.begin());
     }
     for (int a = 0; a <= degree; ++a)
     {
-      const Lanes x = load_lanes(x_.data() + static_cast<std::ptrdiff_t>(a) * s.nx + first, used);
+      const Lanes x = load_lanes(x_.column(a) + first, used);
       for (int b = first_power; a + b <= degree; b += next)
         of_columns[static_cast<std::size_t>(b)] += of_depth[static_cast<std::size_t>(monomial(a, b))] * x;
     }

@@ -208,31 +208,37 @@ std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<dou
   return value;
 }
 
-std::vector<Eigen::MatrixXd> fitted(const std::vector<double>& samples, int c, int e,
-                                    const std::array<int, 2>& distances, const DepthBasis& depth,
-                                    const std::vector<Powers>& powers)
+std::vector<Matrix> fitted(const std::vector<double>& samples, int c, int e, const std::array<int, 2>& distances,
+                           const DepthBasis& depth, const std::vector<Powers>& powers)
 {
-  const auto terms = static_cast<Eigen::Index>(powers.size());
+  const int terms = static_cast<int>(powers.size());
   const int places = distances[0] * distances[1];
-  Eigen::MatrixXd basis(places, terms);
+  Matrix basis(places, terms);
   for (int oy = 0; oy < distances[1]; ++oy)
     for (int ox = 0; ox < distances[0]; ++ox)
-      for (Eigen::Index t = 0; t < terms; ++t)
+      for (int t = 0; t < terms; ++t)
         basis(ox + distances[0] * oy, t) =
             std::pow(offsets()[static_cast<std::size_t>(ox)], powers[static_cast<std::size_t>(t)][0]) *
             std::pow(offsets()[static_cast<std::size_t>(oy)], powers[static_cast<std::size_t>(t)][1]);
   const int depth_pairs = depth.count * depth.count;
-  Eigen::MatrixXd right(places, depth_pairs);
+  Matrix right(places, depth_pairs);
   for (int z = 0; z < depth_pairs; ++z)
     for (int o = 0; o < places; ++o)
       right(o, z) = samples[static_cast<std::size_t>((z * components + e * stresses + c) * places + o)];
-  const Eigen::MatrixXd at_nodes = basis.colPivHouseholderQr().solve(right);
-  std::vector<Eigen::MatrixXd> result;
-  for (Eigen::Index t = 0; t < terms; ++t)
+  const Matrix at_nodes = least_squares(basis, right);
+  Matrix of_depths(depth.count, depth.count); // from_nodes transposed
+  for (int i = 0; i < depth.count; ++i)
+    for (int q = 0; q < depth.count; ++q)
+      of_depths(i, q) = depth.from_nodes(q, i);
+  std::vector<Matrix> result;
+  for (int t = 0; t < terms; ++t)
   {
-    const Eigen::VectorXd row = at_nodes.row(t);
-    const Eigen::Map<const Eigen::MatrixXd> transposed(row.data(), depth.count, depth.count); // [z'][z]
-    result.emplace_back(depth.from_nodes * transposed.transpose() * depth.from_nodes.transpose());
+    Matrix at_depths(depth.count, depth.count), along_z(depth.count, depth.count);
+    for (int z = 0; z < depth.count; ++z)
+      for (int z_source = 0; z_source < depth.count; ++z_source)
+        at_depths(z, z_source) = at_nodes(t, z * depth.count + z_source);
+    assign_product(depth.from_nodes, at_depths, along_z.column(0));
+    assign_product(along_z, of_depths, result.emplace_back(depth.count, depth.count).column(0));
   }
   return result;
 }
@@ -245,9 +251,9 @@ double factorial(int n)
   return value;
 }
 
-Eigen::MatrixXd coordinate_powers(int cells, int degree)
+Matrix coordinate_powers(int cells, int degree)
 {
-  Eigen::MatrixXd table(cells, degree + 1);
+  Matrix table(cells, degree + 1);
   const double whole = std::max(1, cells - 1);
   for (int power = 0; power <= degree; ++power)
     for (int i = 0; i < cells; ++i)

@@ -4,8 +4,8 @@
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/foundation/grid.hpp"
 #include "brinell/green/elastic.hpp"
+#include "foundation/matrix.hpp"
 
-#include <Eigen/Dense>
 #include <array>
 #include <span>
 #include <vector>
@@ -35,10 +35,10 @@ inline constexpr std::array<int, stresses> odd_in_y{0, 0, 1, 0, 1, 0};
 /// Chebyshev polynomials of depth on a grid of layers.
 struct DepthBasis
 {
-  int count;                  ///< of polynomials, and of nodes
-  std::vector<double> nodes;  ///< zeros of the first polynomial that is omitted, scaled to the thickness [m]
-  Eigen::MatrixXd means;      ///< of the polynomials over the layers: [layer][polynomial]
-  Eigen::MatrixXd from_nodes; ///< matrix from values at the nodes to coefficients: [polynomial][node]
+  int count;                 ///< of polynomials, and of nodes
+  std::vector<double> nodes; ///< zeros of the first polynomial that is omitted, scaled to the thickness [m]
+  Matrix means;              ///< of the polynomials over the layers: [layer][polynomial]
+  Matrix from_nodes;         ///< matrix from values at the nodes to coefficients: [polynomial][node]
 
   /// @param distance  of the nearest image [m]: it is the length over which fields vary in depth, so grids that are thick
   ///                  compared with it need more polynomials.
@@ -80,13 +80,13 @@ using Powers = std::array<int, 2>;
 /// @param samples   as `sampled` returns them
 /// @param distances number of distances along x and y: `offset_nodes`, or 1
 /// @returns one matrix [polynomial of z][polynomial of z'] for each of `powers`
-[[nodiscard]] std::vector<Eigen::MatrixXd> fitted(const std::vector<double>& samples, int c, int e,
-                                                  const std::array<int, 2>& distances, const DepthBasis& depth,
-                                                  const std::vector<Powers>& powers);
+[[nodiscard]] std::vector<Matrix> fitted(const std::vector<double>& samples, int c, int e,
+                                         const std::array<int, 2>& distances, const DepthBasis& depth,
+                                         const std::vector<Powers>& powers);
 
 [[nodiscard]] double factorial(int n);
 
 /// Powers up to `degree` of the coordinates of cells along one axis, scaled to [-1/2, 1/2]: [cell][power].
-[[nodiscard]] Eigen::MatrixXd coordinate_powers(int cells, int degree);
+[[nodiscard]] Matrix coordinate_powers(int cells, int degree);
 
 } // namespace brinell::halfspace::images

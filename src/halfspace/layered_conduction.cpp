@@ -3,8 +3,6 @@
 
 #include "foundation/lane_functions.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,28 +73,25 @@ void LayeredConduction::find_modes()
   const std::size_t n = size();
   // In units of the thickness of a heated layer.
   const auto height = [&](std::size_t i) { return (bottom(i) - top(i)) / thickness_; };
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)),
-                  beside(static_cast<Eigen::Index>(n - 1));
+  std::vector<double> diagonal(n), beside(n - 1);
   for (std::size_t i = 0; i + 1 < n; ++i)
   {
-    const auto row = static_cast<Eigen::Index>(i);
     const double between = thickness_ / (middle(i + 1) - middle(i));
-    diagonal[row] += between / height(i);
-    diagonal[row + 1] += between / height(i + 1);
-    beside[row] = -between / std::sqrt(height(i) * height(i + 1));
+    diagonal[i] += between / height(i);
+    diagonal[i + 1] += between / height(i + 1);
+    beside[i] = -between / std::sqrt(height(i) * height(i + 1));
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes;
-  modes.computeFromTridiagonal(diagonal, beside);
+  const Eigensystem modes = eigensystem_of_tridiagonal(diagonal, beside);
   const double whole = ends_.back() / thickness_;
   for (std::size_t l = 0; l < n; ++l)
   {
     // The slowest mode, the first one, is uniform and does not decay at all.
-    const auto mode = static_cast<Eigen::Index>(l);
-    squared_numbers_.push_back(l == 0 ? 0.0 : modes.eigenvalues()[mode] / (thickness_ * thickness_));
+    const double* mode = modes.vectors.column(static_cast<int>(l));
+    squared_numbers_.push_back(l == 0 ? 0.0 : modes.values[l] / (thickness_ * thickness_));
     for (std::size_t i = 0; i < n; ++i)
     {
       const double root = std::sqrt(height(i));
-      const double value = l == 0 ? root / std::sqrt(whole) : modes.eigenvectors()(static_cast<Eigen::Index>(i), mode);
+      const double value = l == 0 ? root / std::sqrt(whole) : mode[i];
       to_layers_.at(i, l) = value / root;
       to_modes_.at(l, i) = value * root;
     }

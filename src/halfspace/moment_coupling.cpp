@@ -25,7 +25,7 @@ MomentCoupling::MomentCoupling(int depths, int degree) : depths_(depths)
     }
 }
 
-void MomentCoupling::add(int c, int e, const images::Powers& power, double factor, const Eigen::MatrixXd& value)
+void MomentCoupling::add(int c, int e, const images::Powers& power, double factor, const Matrix& value)
 {
   const auto [a, b] = power;
   const std::size_t first = value_.size();

@@ -23,7 +23,7 @@ public:
   MomentCoupling(int depths, int degree);
 
   /// Adds a term to the stress component `c` by the strain component `e`. @param value  [function of z][function of z']
-  void add(int c, int e, const images::Powers& power, double factor, const Eigen::MatrixXd& value);
+  void add(int c, int e, const images::Powers& power, double factor, const Matrix& value);
 
   struct Work
   {

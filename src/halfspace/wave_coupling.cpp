@@ -15,7 +15,7 @@ WaveCoupling::WaveCoupling(int waves, int depths, int degree, const std::array<i
 {
 }
 
-void WaveCoupling::set(int wave, int c, int e, int b, double factor, const Eigen::MatrixXd& value)
+void WaveCoupling::set(int wave, int c, int e, int b, double factor, const Matrix& value)
 {
   double* to = value_.data() + place(c, e, b, wave / lane_count) * lane_count + wave % lane_count;
   for (int i = 0; i < depths_; ++i)

@@ -25,7 +25,7 @@ public:
   /// Sets the term (y - y')^b of one wave in the stress component `c` by the strain component `e`. b must be even if both
   /// components have the same parity, otherwise odd. Different threads may set terms of different waves concurrently.
   /// @param value  [function of z][function of z']
-  void set(int wave, int c, int e, int b, double factor, const Eigen::MatrixXd& value);
+  void set(int wave, int c, int e, int b, double factor, const Matrix& value);
 
   [[nodiscard]] int parts() const { return parts_; } ///< number of groups of `lane_count` waves
 

@@ -2,6 +2,7 @@
 #include "io/npy.hpp"
 
 #include "io/files.hpp"
+#include "io/pattern.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -9,7 +10,6 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <optional>
-#include <regex>
 
 namespace brinell::io
 {
@@ -44,21 +44,19 @@ std::optional<Head> head_of(std::string_view content)
   if (length > largest_header || begin + length > content.size())
     return std::nullopt;
   const std::string header(content.substr(begin, length));
-  static const std::regex type(R"('descr':\s*'([^']*)')"), order(R"('fortran_order':\s*(True|False))"),
+  static const Pattern type(R"('descr':\s*'([^']*)')"), order(R"('fortran_order':\s*(True|False))"),
       shape(R"('shape':\s*\((\d{1,9}),\s*(\d{1,9}),?\))");
-  std::smatch found;
   Head head;
   head.length = begin + length;
-  if (!std::regex_search(header, found, type))
+  const auto found_type = type.find(header), found_order = order.find(header);
+  if (!found_type || !found_order)
     return std::nullopt;
-  head.type = found[1];
-  if (!std::regex_search(header, found, order))
-    return std::nullopt;
-  head.is_by_columns = found[1] == "True";
-  if (std::regex_search(header, found, shape)) // with another number of axes the array counts as empty
+  head.type = found_type->group(0);
+  head.is_by_columns = found_order->group(0) == "True";
+  if (const auto found = shape.find(header)) // with another number of axes the array counts as empty
   {
-    head.rows = std::stoul(found[1]);
-    head.columns = std::stoul(found[2]);
+    head.rows = std::stoul(found->group(0));
+    head.columns = std::stoul(found->group(1));
   }
   return head;
 }

@@ -4,13 +4,13 @@
 #include "case_reader.hpp"
 #include "io/files.hpp"
 #include "io/npy.hpp"
+#include "io/pattern.hpp"
 #include "io/scenarios/scenario_io.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <iterator>
 #include <optional>
-#include <regex>
 
 namespace brinell::io
 {
@@ -144,8 +144,8 @@ std::string text_with(const CaseValues& values,
 /// Whether a file was written, or begun, by `write_resolved` for resolved.toml.
 bool is_resolved_map(const std::filesystem::path& file)
 {
-  static const std::regex map(R"(resolved-heights-[0-9a-f]{16}\.npy(\.part)?)");
-  return std::regex_match(file.filename().string(), map);
+  static const Pattern map(R"(resolved-heights-[0-9a-f]{16}\.npy(\.part)?)");
+  return map.match(file.filename().string()).has_value();
 }
 
 } // namespace

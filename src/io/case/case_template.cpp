@@ -5,6 +5,7 @@
 #include "brinell/io/case_file.hpp"
 #include "io/embedded.hpp"
 #include "io/files.hpp"
+#include "io/pattern.hpp"
 #include "io/scenarios/scenario_io.hpp"
 #include "suggestion.hpp"
 #include "value_text.hpp"
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -123,21 +123,20 @@ struct Section
 ///              meaning of a key is taken from the schema
 std::vector<Section> sections_of(std::string_view text)
 {
-  static const std::regex section_line(R"(\[([a-z.@]+)\].*)"), key_line(R"((?:# )?([a-z_]+) = .*)");
+  static const Pattern section_line(R"(\[([a-z.@]+)\].*)"), key_line(R"((?:# )?([a-z_]+) = .*)");
   std::istringstream stream{std::string(text)};
   std::vector<Section> sections(1);
   std::string ruler; // of the next table
-  std::smatch match;
   for (std::string line; std::getline(stream, line);)
   {
     std::vector<KeyLines>& keys = sections.back().keys;
     const bool belongs_to_key = line.starts_with("#   ") || (line.starts_with("# ") && line.ends_with(':'));
-    if (std::regex_match(line, match, section_line))
-      sections.push_back({match.str(1), std::exchange(ruler, {})});
-    else if (std::regex_match(line, match, key_line))
+    if (const auto header = section_line.match(line))
+      sections.push_back({header->group(0), std::exchange(ruler, {})});
+    else if (const auto match = key_line.match(line))
     {
-      if (keys.back().key != match.str(1))
-        keys.push_back({match.str(1), {}});
+      if (keys.back().key != match->group(0))
+        keys.push_back({match->group(0), {}});
       keys.back().lines.push_back(line);
     }
     else if (line.starts_with("# ---"))
@@ -151,9 +150,9 @@ std::vector<Section> sections_of(std::string_view text)
 /// "cone" of `shape = { type = "cone", ... }`; empty if the line chooses nothing.
 std::string choice_of(const std::string& line)
 {
-  static const std::regex choice(R"(.*\{ (?:type|law) = "([a-z_]+)\".*)");
-  std::smatch match;
-  return std::regex_match(line, match, choice) ? match.str(1) : "";
+  static const Pattern choice(R"(.*\{ (?:type|law) = "([a-z_]+)\".*)");
+  const auto match = choice.match(line);
+  return match ? match->group(0) : "";
 }
 
 /// Writes the template of a scenario: the case of the folder cases/NAME, table by table. In each table the further allowed keys
@@ -194,13 +193,12 @@ private:
   /// Writes lines; in a line "#   key ...:", the meaning of the key is added.
   void put(const Lines& lines)
   {
-    static const std::regex further_line(R"(#   ([a-z_]+)\b.*:)");
-    std::smatch match;
+    static const Pattern further_line(R"(#   ([a-z_]+)\b.*:)");
     for (const std::string& line : lines)
-      if (std::regex_match(line, match, further_line))
+      if (const auto match = further_line.match(line))
       {
-        const std::string of_key = meaning(fmt::format("{}{}.{}", table_, key_, match.str(1)));
-        const std::string text = of_key.empty() ? meaning(table_ + match.str(1)) : of_key;
+        const std::string of_key = meaning(fmt::format("{}{}.{}", table_, key_, match->group(0)));
+        const std::string text = of_key.empty() ? meaning(table_ + match->group(0)) : of_key;
         text_ += wrapped(fmt::format("{} {}", line.substr(4), text), "#   ", "#     ");
       }
       else

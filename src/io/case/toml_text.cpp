@@ -2,10 +2,10 @@
 #include "toml_text.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "io/pattern.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <regex>
 
 namespace brinell::io
 {
@@ -40,7 +40,7 @@ std::string remedy(std::string_view text, std::size_t number)
     return "; is a quote missing at the end of the line?";
   if (line.find('\\') != line.npos)
     return "; between \" a backslash is written twice; for a path use '...', or / as in \"data/curve.csv\"";
-  if (std::regex_search(line, std::regex(R"(=\s*[-+]?\d+,\d)")))
+  if (Pattern(R"(=\s*[-+]?\d+,\d)").find(line))
     return "; is a decimal comma meant? Numbers have a point, as in 0.3";
   return "";
 }

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/nan.hpp"
+#include "io/pattern.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 #include <numbers>
 #include <optional>
-#include <regex>
 #include <utility>
 
 namespace brinell::io
@@ -184,11 +184,11 @@ void multiply(Unit& product, const Unit& factor, int exponent)
 /// Rewrites "W/(m K)" as "W/m/K", and "1/K" as "/K". Other parentheses remain, and are rejected later.
 std::string without_parentheses(std::string text)
 {
-  static const std::regex divisor(R"(/[ \t]*\([ \t]*([^()/]*[^()/ \t])[ \t]*\))"), between(R"([ \t]*\*[ \t]*|[ \t]+)"),
+  static const Pattern divisor(R"(/[ \t]*\([ \t]*([^()/]*[^()/ \t])[ \t]*\))"), between(R"([ \t]*\*[ \t]*|[ \t]+)"),
       one(R"(^1[ \t]*/)");
-  for (std::smatch match; std::regex_search(text, match, divisor);)
-    text = match.prefix().str() + "/" + std::regex_replace(match.str(1), between, "/") + match.suffix().str();
-  return std::regex_replace(text, one, "/");
+  while (const auto match = divisor.find(text))
+    text.replace(match->begin, match->end - match->begin, "/" + between.replaced(match->group(0), "/"));
+  return one.replaced(text, "/");
 }
 
 /// Reads products and quotients of units; each "/" applies only to the unit after it.
@@ -201,22 +201,22 @@ Unit unit_expression(std::string_view whole)
         "as in \"mm\", \"GPa\", \"N/mm^2\"",
         what, whole, hint));
   };
-  static const std::regex factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
+  static const Pattern factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
   std::string text = replaced(std::string(whole), "\u00b7", "*"); // middle dot
   text = without_parentheses(replaced(replaced(std::move(text), "\u00b2", "^2"), "\u00b3", "^3"));
   Unit product;
-  std::smatch match;
-  for (auto place = text.cbegin(); place != text.cend(); place = match[0].second)
+  for (std::string_view rest = text; !rest.empty();)
   {
-    const bool found = std::regex_search(place, text.cend(), match, factor, std::regex_constants::match_continuous);
-    const std::string symbol = match.str(2), sign = match.str(1);
-    const auto unit = found && (sign != "*" || place != text.cbegin()) ? find_unit(symbol) : std::nullopt;
+    const auto match = factor.match_begin(rest);
+    const std::string symbol = match ? match->group(1) : "", sign = match ? match->group(0) : "";
+    const auto unit = match && (sign != "*" || rest.size() != text.size()) ? find_unit(symbol) : std::nullopt;
     if (!unit)
       throw bad("unknown unit", units_like(symbol));
-    const int exponent = match[3].matched ? std::stoi(match.str(3)) : 1;
+    const int exponent = match->groups[2] ? std::stoi(*match->groups[2]) : 1;
     if (std::abs(exponent) > 9)
       throw bad("impossible unit");
     multiply(product, *unit, sign == "/" ? -exponent : exponent);
+    rest.remove_prefix(match->end);
   }
   if (product.dimension == Dimension{} && text.find("rad") != text.npos)
     throw bad("unknown unit");

@@ -3,12 +3,12 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
+#include "io/pattern.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -68,8 +68,8 @@ bool is_own(const fs::path& file, const Known& known)
 /// Whether it is the name of a piece: 000012.h5 or final.h5, also with .part, which remains if a process is killed while writing.
 bool is_piece(const std::string& name)
 {
-  static const std::regex piece_name(R"((final|[0-9]{6,})\.h5(\.part)?)");
-  return std::regex_match(name, piece_name);
+  static const Pattern piece_name(R"((final|[0-9]{6,})\.h5(\.part)?)");
+  return piece_name.match(name).has_value();
 }
 
 bool is_there(const fs::path& path)

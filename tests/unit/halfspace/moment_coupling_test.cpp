@@ -39,9 +39,12 @@ protected:
     std::generate(values.begin(), values.end(), number);
     return values;
   }
-  [[nodiscard]] Eigen::MatrixXd random_matrix() const
+  [[nodiscard]] Matrix random_matrix() const
   {
-    return Eigen::MatrixXd::NullaryExpr(depths, depths, [] { return number(); });
+    Matrix matrix(depths, depths);
+    for (int j = 0; j < depths; ++j)
+      std::generate_n(matrix.column(j), depths, number);
+    return matrix;
   }
   [[nodiscard]] std::size_t at(int component, int depth, int p) const
   {
@@ -61,7 +64,7 @@ TEST_P(Coupling, OfMonomialsIsTheKernel)
       for (int a = 0; a <= degree; ++a)
         for (int b = images::is_odd(images::odd_in_y, c, e) ? 1 : 0; a + b <= degree; b += 2)
         {
-          const Eigen::MatrixXd value = random_matrix();
+          const Matrix value = random_matrix();
           coupling.add(c, e, {a, b}, 0.7, value);
           for (int i = 0; i < depths; ++i)
             for (int j = 0; j < depths; ++j)
@@ -126,7 +129,7 @@ TEST_P(Coupling, OfWavesIsTheKernel)
       for (int e = 0; e < strains; ++e)
         for (int b = images::is_odd(images::odd_in_y, c, e) ? 1 : 0; b <= degree; b += 2)
         {
-          const Eigen::MatrixXd value = random_matrix();
+          const Matrix value = random_matrix();
           coupling.set(wave, c, e, b, 0.7, value);
           for (int i = 0; i < depths; ++i)
             for (int j = 0; j < depths; ++j)
