@@ -1,20 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
+With `ax` a function draws into axes of the caller: as many as the figure has panels, or a figure or subfigure.
+Settings of matplotlib (`matplotlib.rcParams`) that the caller has changed are respected. A figure of several runs names
+them by their titles, or by what differs between their cases.
+
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
 over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
 scenario), `slip` and `friction_heat` (stick and slip, and the heat of friction, in one state), `history`, `energy`
 and `wear` (one run step by step), `temperature` (step by step, and in one state), `animation` and `pressure` (one
 pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run),
-`surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each
-quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
-(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
+`surfaces` (a height map), `curves` (a measured stress-strain curve), `cli` (`brinell plot`). Below them: `style` (the
+look of all figures), `placing` (figures in axes of the caller), `scales` (what each quantity is divided by),
+`quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
+`differences` (their names), `states` (which state and which bodies), `cells` (cell values as pictures).
 """
 
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.asperities import friction_over_load, passes_map
 from brinell.plot.creepage import creep_curve
+from brinell.plot.curves import measured_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
@@ -88,6 +94,7 @@ __all__ = [
     "imprint",
     "in_si",
     "load_depth",
+    "measured_curve",
     "overview",
     "pass_by_pass",
     "passes_map",

@@ -27,7 +27,13 @@ _COMPONENTS = ("stress_xx", "stress_yy", "stress_zz")
 
 @style.figure
 def stress_over_depth(
-    run: Run, snapshot: Snapshot | None = None, *, x: float = 0.0, y: float = 0.0, bodies: Bodies = "both"
+    run: Run,
+    snapshot: Snapshot | None = None,
+    *,
+    x: float = 0.0,
+    y: float = 0.0,
+    bodies: Bodies = "both",
+    ax: style.Target | None = None,
 ) -> Figure:
     """Normal stresses and equivalent plastic strain over the depth under one point.
 
@@ -37,6 +43,7 @@ def stress_over_depth(
         x: of the point on each body [m]; while the bodies touch, from the centre of contact.
         y: of the point [m].
         bodies: "both", "lower" or "upper"; those without stress and strain are left out.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the stress is not stored, the point lies outside the grids, or the body is rigid.
@@ -62,7 +69,8 @@ def stress_over_depth(
     if len(with_stress) > 1:
         last.legend()
     _name_axes(run, panels, last, depth, stress)
-    fig.suptitle(f"Under {_place(x, y, from_contact=state.in_contact)}:  {state_title(run, state)}", fontsize=10)
+    place = _place(x, y, from_contact=state.in_contact)
+    fig.suptitle(f"Under {place}:  {state_title(run, state)}", fontsize=style.font(10))
     return fig
 
 

@@ -32,7 +32,7 @@ FloatArray = NDArray[np.float64]
 
 @style.figure
 @of_state
-def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Contact pressure over p0_c in the plane of contact, with the edge of contact; in plane strain a line over x.
 
     Args:
@@ -40,6 +40,7 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
         snapshot: the state to draw; its bodies must touch.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres; the patch
             then needs no outline.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state.
@@ -124,13 +125,14 @@ def _crop(ax: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
 
 @style.figure
 @of_state
-def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Gap between the deformed surfaces around the contact, with the edge of contact; in plane strain a line over x.
 
     Args:
         run: where the scales come from.
         snapshot: the state to draw; its bodies must touch.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state.
@@ -184,7 +186,7 @@ def _height(body: BodyFields) -> FloatArray:
 
 @style.figure
 @of_state
-def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Permanent shape of the surfaces along the track: profile on y = 0, and maps.
 
     Heights are out of each body: pile-up positive, the groove negative. Coordinates are those of each body. A body
@@ -194,6 +196,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         run: where the scales come from.
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     scales = Scales(run)
     deformed = [side for side in sides(snapshot) if np.any(side.body.residual_displacement)] or sides(snapshot)

@@ -72,10 +72,14 @@ _FALLING = ("track_plastic_increment", "dissipation")  # towards shakedown: over
 
 @style.figure
 @of_runs
-def pass_by_pass(runs: Sequence[Run]) -> Figure | None:
+def pass_by_pass(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation by pass.
 
     Growth and dissipation have a logarithmic axis if they fall by more than a factor of a hundred.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if no run has two passes: the summary tells the numbers of one.
@@ -114,10 +118,14 @@ def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: s
 
 @style.figure
 @of_runs
-def depth_profiles(runs: Sequence[Run]) -> Figure | None:
+def depth_profiles(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track.
 
     Returns None if no lower body has yielded.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "rolling")
     if not any(np.any(entry.run.profile.equivalent_plastic_strain) for entry in shown):
@@ -153,10 +161,14 @@ def _across(body: BodyFields) -> FloatArray:
 
 @style.figure
 @of_runs
-def track_profile(runs: Sequence[Run]) -> Figure | None:
+def track_profile(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Residual surface of the lower body across the track at x = 0, after the last pass.
 
     Returns None if no lower body has yielded, and for plane strain, where nothing varies across the track.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
     deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and np.any(body.residual_displacement)]
@@ -211,11 +223,15 @@ def _first_and_last(entry: Entry) -> list[tuple[History, Look]]:
 
 @style.figure
 @of_runs
-def along_track(runs: Sequence[Run]) -> Figure:
+def along_track(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
     """Resistance F_X and approach along the track by pass; the load is drawn in place of an imposed approach.
 
     With sliding under a load the friction F_X/F_n is drawn in place of the resistance, with the area of contact. A
     single run shows all passes; of several runs the first and the last are drawn.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "rolling")
     lines = _along(shown)
@@ -292,10 +308,14 @@ def _distance_rolled(part: History) -> FloatArray:
 
 @style.figure
 @of_runs
-def creep_forces(runs: Sequence[Run]) -> Figure | None:
+def creep_forces(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Forces, moment and sticking share over the distance rolled in each pass, from rest to steady rolling.
 
     A force that is never more than a thousandth of friction times load has no panel. Returns None without creepage.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = [entry for entry in entries(runs, "rolling") if creeps(entry.run)]
     if not shown:
@@ -339,7 +359,9 @@ def _only_state(runs: Sequence[Run], which: Which) -> Snapshot | None:
 
 
 @of_runs
-def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+def creep_maps(
+    runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False, ax: style.Target | None = None
+) -> Figure | None:
     """Maps of the contact of a single run: pressure with shear as arrows, sticking area, shear and slip.
 
     Returns None for several runs, for plane strain, and without creepage.
@@ -348,16 +370,19 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
         runs: one.
         which: number of a stored step; "aligned", the middle of the last pass; or "final".
         cells: show each cell as a rectangle of one colour.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     require_scenario(runs, "rolling")
     snapshot = _only_state(runs, which)
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
-    return stick_slip_maps(runs[0], snapshot, cells=cells)
+    return stick_slip_maps(runs[0], snapshot, cells=cells, ax=ax)
 
 
 @of_runs
-def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+def creep_heat(
+    runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False, ax: style.Target | None = None
+) -> Figure | None:
     """Energy that friction has dissipated per area since each place came under the contact, with the sticking area.
 
     Returns None for several runs, and without creepage.
@@ -366,16 +391,17 @@ def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
         runs: one.
         which: number of a stored step; "aligned", the middle of the last pass; or "final".
         cells: show each cell as a rectangle of one colour.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     require_scenario(runs, "rolling")
     snapshot = _only_state(runs, which)
     if snapshot is None or not has_friction_heat(snapshot):
         return None
-    return friction_heat_map(runs[0], snapshot, cells=cells)
+    return friction_heat_map(runs[0], snapshot, cells=cells, ax=ax)
 
 
 @of_runs
-def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
+def creep_profiles(runs: Sequence[Run], which: Which = "aligned", *, ax: style.Target | None = None) -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 
     Returns None without creepage.
@@ -383,7 +409,8 @@ def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | No
     Args:
         runs: one or several.
         which: number of a stored step; "aligned", the middle of the last pass; or "final".
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     states = [(entry.run, _state(entry.run, which), entry.look) for entry in entries(runs, "rolling")]
     loaded = [(run, snapshot, look) for run, snapshot, look in states if snapshot is not None]
-    return stick_slip_profiles(loaded) if loaded else None
+    return stick_slip_profiles(loaded, ax=ax) if loaded else None

@@ -42,6 +42,7 @@ def section(
     plane: Plane | str | tuple[str, float] = "y=0",
     bodies: Bodies = "both",
     cells: bool = False,
+    ax: style.Target | None = None,
 ) -> Figure:
     """Fields of the bodies on a plane, to scale.
 
@@ -57,6 +58,7 @@ def section(
         plane: "y=0", "x = 0.1 mm", ("z", 2e-5); see `planes.plane_of`.
         bodies: "both", "lower" or "upper".
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: a field is not stored, the plane lies outside the grids, or the body is rigid.
@@ -73,7 +75,9 @@ def section(
     draw = _level if cut.axis == "z" else _upright
     fig = draw(run, snapshot, panels, window, cut, interpolation)
     place = cut.label(from_contact=snapshot.in_contact and cut.axis == "x")
-    fig.suptitle(f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}:  {state_title(run, snapshot)}", fontsize=10)
+    fig.suptitle(
+        f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}:  {state_title(run, snapshot)}", fontsize=style.font(10)
+    )
     return fig
 
 

@@ -65,7 +65,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   problems.throw_if_any();
   for (const char* body : {"lower", "upper"})
   {
-    load_hardening_file(result.values, raw, body, problems);
+    load_hardening_file(result, raw, body, problems);
     load_texture_files(result.values, raw, body, problems);
   }
   problems.throw_if_any();

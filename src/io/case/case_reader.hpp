@@ -144,8 +144,8 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
 
 /// Replace hardening.file and each texture.file of a body by the content of these files, so that the resolved case needs no
-/// further files.
-void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
+/// further files. The case gets warnings and notes about a curve.
+void load_hardening_file(Case& c, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
 /// Completes the case of the scenario: checks that need more than the schema, equivalent radius, contact modulus, first yield and

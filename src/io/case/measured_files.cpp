@@ -118,7 +118,7 @@ std::string example(std::string_view strain_unit, std::string_view stress_unit)
   const std::string with_point = fmt::format("{:g}", strain);
   std::string with_comma = with_point;
   std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-  return fmt::format("plastic strain{} and stress in {}, as in \"{}, {:g}\" or, with decimal commas, \"{}; {:g}\"",
+  return fmt::format("strain{} and stress in {}, as in \"{}, {:g}\" or, with decimal commas, \"{}; {:g}\"",
                      strain_unit == "%" ? " in %" : "", stress_unit, with_point, stress, with_comma, stress);
 }
 
@@ -204,7 +204,7 @@ Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit
                        columns.size() != 2 ? fmt::format(", {} columns", columns.size())
                                            : fmt::format(", where {} is not a number", columns[strain ? 1 : 0]),
                        example(strain_unit, stress_unit));
-    curve.plastic_strain.push_back(*strain);
+    curve.strain.push_back(*strain);
     curve.stress.push_back(*stress);
   }
   if (curve.stress.empty())
