@@ -105,12 +105,15 @@ void bind_curves(nb::module_& m)
   m.def("quantity_like", &quantity_like, "text"_a, "unit"_a);
   m.def(
       "read_curve",
-      [](const std::filesystem::path& file, const std::string& strain_unit, const std::string& stress_unit)
+      [](const std::filesystem::path& file, const std::string& strain_unit, const std::string& stress_unit,
+         const std::string& strain_type)
       {
-        const io::Curve curve = io::read_curve(file, strain_unit, stress_unit);
+        io::CurveRules rules;
+        read_choice({{"strain_type", strain_type}}, "strain_type", io::curve_words::strain, rules.strain);
+        const io::Curve curve = io::read_curve(file, strain_unit, stress_unit, rules.strain);
         return std::pair(curve.strain, curve.stress);
       },
-      "file"_a, "strain_unit"_a, "stress_unit"_a);
+      "file"_a, "strain_unit"_a, "stress_unit"_a, "strain_type"_a);
 }
 
 } // namespace brinell::python

@@ -209,7 +209,7 @@ def test_a_measured_curve_that_scatters(tmp_path: Path) -> None:
         ("0, 930\n", {"unit": "mm"}, '^unit = "mm" is a unit of length; allowed: a unit of stress, such as "MPa"'),
         ("0, 930\n", {"unit": "Mpa"}, r"unknown unit .*did you mean MPa or mPa\?"),
         ("0, 930\n", {"strain": "percent"}, '^strain = "percent" is not known; allowed: "1" or "%"'),
-        ("strain, stress\n", {}, "has no line of numbers; allowed: text, strain and stress in Pa"),
+        ("strain, stress\n", {}, "has no line of numbers; allowed: text, plastic strain and stress in Pa"),
     ],
 )
 def test_what_is_wrong_with_a_curve(tmp_path: Path, text: str, keywords: Any, message: str) -> None:

@@ -98,8 +98,9 @@ struct HardeningCurve
 /// something else.
 /// @param strain_unit  "1" or "%"
 /// @param stress_unit  such as "MPa"
+/// @param kind  what the strains are, for the message that says what is allowed
 /// @throws InputError; its text continues a sentence that begins with the file ("has in line 3 ..."); IoError
 [[nodiscard]] Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit,
-                               std::string_view stress_unit);
+                               std::string_view stress_unit, CurveRules::Strain kind);
 
 } // namespace brinell::io

@@ -145,7 +145,7 @@ class MeasuredCurve:
             raise InputError(f'strain = "{strain}" is not known; allowed: "1" or "%"')
         _si(f"1 {unit}", "Pa", "unit")
         try:
-            strains, stresses = _core.read_curve(Path(path), strain, unit)
+            strains, stresses = _core.read_curve(Path(path), strain, unit, how.get("strain_type", "total"))
         except InputError as error:
             raise InputError(f"{path} {error}") from None
         try:

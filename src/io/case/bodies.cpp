@@ -159,8 +159,9 @@ void load_curve(Case& c, const CaseReader& reader, const std::string& material)
     const std::string stress_unit = word(key, "Pa");
     static_cast<void>(size_of_unit(stress_unit, dimension::pressure, "stress, such as \"MPa\""));
     key = "file";
-    curve = hardening_curve(read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit),
-                            curve_rules(reader, material));
+    const CurveRules rules = curve_rules(reader, material);
+    curve = hardening_curve(
+        read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit, rules.strain), rules);
   }
   catch (const InputError& error) // names the whole file, which `shown` would shorten
   {

@@ -139,6 +139,9 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
                      Case& c);
 
+/// Warns of plain numbers, which are in SI, that were probably meant in N, mm and MPa. The other warnings must be there before.
+void warn_of_bare_numbers(const CaseReader& reader, Case& c);
+
 /// Reads the boundaries of a domain, and the period and number of cells of its periodic axes.
 /// @param both  whether the scenario can be computed with a periodic x axis, alone or together with y
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);

@@ -280,9 +280,10 @@ HardeningCurve kept(const Curve& measured, const Rules& rules)
                     "the yield stress; {}",
                     curve.stress.front(), total));
   if (curve.strain.front() != 0.0)
-    throw InputError(fmt::format("begins at a strain of {:g}; allowed: plastic strains from 0, where the stress is the "
-                                 "yield stress; yield_from = \"offset\" or \"fit\" to find it; {}",
-                                 curve.strain.front(), total));
+    throw InputError(
+        fmt::format("begins at a strain of {:g}, but a hardening table must begin at plastic strain 0, "
+                    "where the stress is the yield stress; allowed: yield_from = \"offset\" or \"fit\" to find it; {}",
+                    curve.strain.front(), total));
   result.plastic_strain = curve.strain;
   result.stress = curve.stress;
   result.loading = curve;
