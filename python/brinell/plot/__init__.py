@@ -14,7 +14,8 @@ pass as a moving picture), `asperities` (maps and sums of passing asperities), `
 `surfaces` (a height map), `curves` (a measured stress-strain curve), `cli` (`brinell plot`). Below them: `style` (the
 look of all figures), `placing` (figures in axes of the caller), `scales` (what each quantity is divided by),
 `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
-`differences` (their names), `states` (which state and which bodies), `cells` (cell values as pictures).
+`differences` (their names), `states` (which state and which bodies), `cells` (cell values as pictures),
+`sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation
