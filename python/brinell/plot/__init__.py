@@ -11,11 +11,11 @@ over a period), `creepage` (steady rolling at several creepages), `fields`, `sec
 scenario), `slip` and `friction_heat` (stick and slip, and the heat of friction, in one state), `history`, `energy`
 and `wear` (one run step by step), `temperature` (step by step, and in one state), `animation` and `pressure` (one
 pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run),
-`surfaces` (a height map), `curves` (a measured stress-strain curve), `cli` (`brinell plot`). Below them: `style` (the
-look of all figures), `placing` (figures in axes of the caller), `scales` (what each quantity is divided by),
-`quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure),
-`differences` (their names), `states` (which state and which bodies), `cells` (cell values as pictures),
-`sheets` (maps that are long).
+`surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key numbers over what varies), `cli`
+(`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in axes of the caller), `scales`
+(what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane),
+`overlay` (several results in one figure), `differences` (their names), `states` (which state and which bodies), `cells`
+(cell values as pictures), `sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -59,6 +59,7 @@ from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
+from brinell.plot.sweeps import sweep_numbers
 from brinell.plot.temperature import surface_temperature_maps, surface_temperatures
 from brinell.plot.wear import worn_course, worn_profiles
 
@@ -114,6 +115,7 @@ __all__ = [
     "surface_temperature_maps",
     "surface_temperatures",
     "surfaces_before_and_after",
+    "sweep_numbers",
     "track_profile",
     "worn_course",
     "worn_profiles",

@@ -10,7 +10,7 @@ from brinell._toml import tomllib
 from brinell.plot import style
 from brinell.results import Run, RunError
 
-__all__ = ["flat_case", "labels_by_difference", "told"]
+__all__ = ["differences", "flat_case", "labels_by_difference", "told", "unit_of"]
 
 _MOST_TOLD = 3
 
@@ -89,12 +89,29 @@ def _case_of(run: Run) -> dict[str, Any]:
         return {}
 
 
-def labels_by_difference(runs: Sequence[Run]) -> list[str] | None:
-    """What differs between the cases of the runs, one label each; None if that does not tell each from the others."""
+def unit_of(key: str) -> str:
+    """SI unit of a key of a case; empty if it has none, or is not known here."""
+    return _UNITS.get(key.rpartition(".")[2], "")
+
+
+def differences(runs: Sequence[Run]) -> dict[str, list[Any]]:
+    """Values of the keys that differ between the cases of the runs, one per run; None where a case has no such key."""
     cases = [_case_of(run) for run in runs]
     keys = [key for key in dict.fromkeys(key for case in cases for key in case) if not key.startswith(_NO_MATTER)]
-    different = [key for key in keys if any(case.get(key) != cases[0].get(key) for case in cases)]
+    return {
+        key: [case.get(key) for case in cases]
+        for key in keys
+        if any(case.get(key) != cases[0].get(key) for case in cases)
+    }
+
+
+def labels_by_difference(runs: Sequence[Run]) -> list[str] | None:
+    """What differs between the cases of the runs, one label each; None if that does not tell each from the others."""
+    different = differences(runs)
     if not different or len(different) > _MOST_TOLD:
         return None
-    labels = [",  ".join(told(key, case[key]) for key in different if key in case) for case in cases]
+    labels = [
+        ",  ".join(told(key, values[i]) for key, values in different.items() if values[i] is not None)
+        for i in range(len(runs))
+    ]
     return labels if all(labels) and len(set(labels)) == len(labels) else None
