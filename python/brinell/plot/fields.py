@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -220,7 +221,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
     to_scale = (width - 1.9) * (ranges[1][1] - ranges[1][0]) / (ranges[0][1] - ranges[0][0])
     map_height = min(max(to_scale, _LEAST_MAP), _MOST_MAP)
     count = len(deformed)
-    fig = style.new_figure(width, 3.8 + count * map_height, to_scale=True)
+    fig = style.new_figure(width, 3.8 + count * map_height + (count * map_height < _FLAT_MAPS), to_scale=True)
     axes = fig.subplots(1 + count, 1, sharex=True, gridspec_kw={"height_ratios": [2.3, *[map_height] * count]})
     _draw_profile(axes[0], deformed, length.size, depth)
     axes[0].set_title(f"Residual surfaces:  {state_title(run, snapshot)}")
@@ -245,7 +246,11 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
         ax.text(0.01, 0.95, side.name, transform=ax.transAxes, ha="left", va="top")
     axes[-1].set_xlabel(length.label("along the surface", "x"))
     name = depth.label("height", "-u^r") + _enlargement(norm)
-    bar = fig.colorbar(image, ax=axes[1:], label=name, pad=0.02, format=FuncFormatter(lambda t, _: f"{t:.3g}"))
+    # Beside flat maps its label would be longer than the bar.
+    place: dict[str, Any] = (
+        {"location": "bottom", "aspect": 45.0, "shrink": 0.75} if count * map_height < _FLAT_MAPS else {"pad": 0.02}
+    )
+    bar = fig.colorbar(image, ax=axes[1:], label=name, format=FuncFormatter(lambda t, _: f"{t:.3g}"), **place)
     bar.set_ticks(_height_ticks(lowest / depth.size, highest / depth.size))
     return fig
 
@@ -292,6 +297,9 @@ def _height_ticks(lowest: float, highest: float) -> list[float]:
 
 _LEAST_MAP, _MOST_MAP = 0.9, 5.0
 """Heights of a map [inch], beyond which it is not drawn to scale."""
+
+_FLAT_MAPS = 1.8
+"""Height of all maps together [inch], up to which the colour bar is below them."""
 
 _NEGLIGIBLE = 1e-3
 """Share of the larger of depth and pile-up that is not worth a colour."""
