@@ -49,8 +49,8 @@ constexpr std::array units{
     Unit{"%", {}, -2, false},
     Unit{"angstrom", {.length = 1}, -10, false},
     Unit{"\u00c5", {.length = 1}, -10, false},
-    Unit{"in", {.length = 1}, -4, false, 254.0},
-    Unit{"inch", {.length = 1}, -4, false, 254.0},
+    Unit{"in", {.length = 1}, 0, false, 0.0254},
+    Unit{"inch", {.length = 1}, 0, false, 0.0254},
     Unit{"kgf", {.mass = 1, .length = 1, .time = -2}, 0, false, kilogram_force},
     Unit{"HV", {.mass = 1, .length = -1, .time = -2}, 6, false, kilogram_force}, // kgf/mm^2 (ISO 6507)
 };
