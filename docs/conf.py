@@ -15,8 +15,10 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.util.nodes import make_refnode
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # case_gallery, gallery_figures
+import case_gallery
+
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "docs"))  # gallery_figures
 
 project = "brinell"
 author = "brinell's authors"
@@ -85,6 +87,18 @@ sphinx_gallery_conf = {
 }
 
 
+def draw_cases(_app: Sphinx) -> None:
+    """Draws the pictures of the cases, which are not kept in the repository."""
+    for name in case_gallery.PICTURES:
+        case_gallery.draw(name, ROOT / "docs" / "_gallery")
+
+
+def show_cases(_app: Sphinx, docname: str, source: list[str]) -> None:
+    """Puts the pictures of the cases on their page."""
+    if docname == "docs/cases":
+        source[0] = source[0].replace(case_gallery.MARK, case_gallery.markdown("_gallery"))
+
+
 def link_to_tutorials(_app: Sphinx, docname: str, source: list[str]) -> None:
     """A link to a tutorial's script leads to its page."""
     if not docname.startswith("docs/_"):
@@ -150,6 +164,8 @@ def name_arrays(
 
 def setup(app: Sphinx) -> None:
     """Called by Sphinx."""
+    app.connect("builder-inited", draw_cases)
+    app.connect("source-read", show_cases)
     app.connect("source-read", link_to_tutorials)
     app.connect("missing-reference", link_to_public_name)
     app.connect("autodoc-process-signature", name_arrays)

@@ -24,6 +24,7 @@ constexpr PythonCommand python_commands[] = {
     {"report", "Write an HTML page on a run, with figures to turn and zoom"},
     {"sweep", "Run a case for many values of its keys"},
     {"surface", "Make, read, inspect and write surfaces"},
+    {"material", "Show what becomes of a measured stress-strain curve"},
     {"export", "Convert stored fields for other programs"},
     {"completion", "Print the script with which bash, zsh or fish completes commands, options and keys"},
 };

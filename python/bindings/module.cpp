@@ -70,6 +70,7 @@ NB_MODULE(_core, m)
   brinell::python::bind_contact(m);
   brinell::python::bind_elastoplastic(m);
   brinell::python::bind_textures(m);
+  brinell::python::bind_curves(m);
   m.def("chosen_processor", &brinell::chosen_processor);
   m.def("compiled_processors", &brinell::compiled_processors);
 }

@@ -17,5 +17,6 @@ void bind_heat(nanobind::module_& m);
 void bind_contact(nanobind::module_& m);
 void bind_elastoplastic(nanobind::module_& m);
 void bind_textures(nanobind::module_& m);
+void bind_curves(nanobind::module_& m);
 
 } // namespace brinell::python

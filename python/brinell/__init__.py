@@ -74,6 +74,7 @@ if TYPE_CHECKING:
         LinearSoftening,
         Ludwik,
         Material,
+        MeasuredCurve,
         Perfect,
         SofteningTable,
         Swift,
@@ -134,6 +135,7 @@ __all__ = [
     "LinearSoftening",
     "Ludwik",
     "Material",
+    "MeasuredCurve",
     "MissingExtraError",
     "Output",
     "Perfect",
@@ -180,8 +182,8 @@ _MODULES = {
     "case": "Case CaseWarning ResolutionWarning",
     "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
     "MissingExtraError",
-    "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material Perfect SofteningTable Swift "
-    "SwiftMicrostrain Table Thermal Voce",
+    "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
+    "SofteningTable Swift SwiftMicrostrain Table Thermal Voce",
     "results": "Accuracy Run RunError RunWarning",
     "scenarios": "Fretting Indentation Rolling Sliding Tugging",
     "settings": "Grid HeatSource Heating Interface Output Solver Wear",

@@ -60,7 +60,10 @@ class Shape(_Typed):
 
 @dataclass(frozen=True)
 class Sphere(Shape):
-    """A sphere, approximated by the paraboloid r^2/(2 radius)."""
+    """A sphere, approximated by the paraboloid r^2/(2 radius).
+
+    At a distance r from the apex the sphere is higher by a share of about (r/(2 radius))^2: 1 % at r = 0.2 radius.
+    """
 
     type: ClassVar[str] = "sphere"
     radius: Quantity

@@ -152,16 +152,25 @@ class RunSummary:
         """Equivalent radius R = 1 / (1/R1 + 1/R2) of spheres or cylinders in plane strain [m]."""
         return self._number("geometry", "equivalent_radius_m")
 
-    def _value_of(self, scenario: Scenario, key: str) -> Any:
-        """Entry of the summary that is specific to one scenario.
+    def _require(self, scenario: Scenario, what: str) -> None:
+        """Checks that the run is of the scenario that has something.
 
         Raises:
             RunError: the run has another scenario.
         """
         if self.scenario != scenario:
             place = self.path if self.memory is None else self.memory
-            raise RunError(f"{place}: is of scenario {self.scenario!r}; only results of {scenario!r} have {key}")
+            raise RunError(f"{place}: is of scenario {self.scenario!r}; only results of {scenario!r} have {what}")
+
+    def _value_of(self, scenario: Scenario, key: str) -> Any:
+        """Entry of the summary that is specific to one scenario."""
+        self._require(scenario, key)
         return self._value(key)
+
+    def _number_of(self, scenario: Scenario, name: str, *keys: str) -> float:
+        """Number of the summary that is specific to one scenario, which has it as attribute `name`."""
+        self._require(scenario, name)
+        return self._number(*keys)
 
     def _entry_of(self, scenario: Scenario, key: str, kind: type[_T]) -> _T:
         """Entry that is specific to one scenario, as a dataclass."""

@@ -11,6 +11,7 @@ import signal
 import tempfile
 import threading
 import time
+import warnings
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -275,3 +276,26 @@ def test_a_warning_points_to_the_code_of_the_user() -> None:
         with pytest.warns(brinell.CaseWarning) as told:
             make()
         assert {Path(one.filename).name for one in told} == {Path(__file__).name}
+
+
+def test_plain_numbers_that_look_like_megapascal_and_millimetres_are_asked_for() -> None:
+    steel = brinell.Material(210000, 0.3, brinell.Linear(600, 2000))
+    ball = brinell.Body(brinell.Sphere(10), brinell.materials.RIGID)
+    with pytest.warns(brinell.CaseWarning) as told:
+        brinell.Indentation(brinell.Body(brinell.Flat(), steel), ball, load=[1000, 0])
+    texts = "\n".join(str(one.message) for one in told)
+    for part in (
+        "young_modulus = 210000",
+        "yield_stress = 600",
+        "modulus = 2000",
+        '"210000 MPa"',
+        "radius = 10",
+        '"10 mm"',
+    ):
+        assert part in texts
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", brinell.CaseWarning)
+        steel = brinell.Material("210 GPa", 0.3, brinell.Linear("600 MPa", "2 GPa"))
+        brinell.Indentation(
+            brinell.Body(brinell.Flat(), steel), brinell.Body(brinell.Sphere("10 mm"), ball.material), load=["10 N", 0]
+        )

@@ -97,6 +97,48 @@ def test_labels(run: Run) -> None:
     assert field.sel(x=slice(1e3, 2e3)).values.size == 0
 
 
+SELECTIONS: list[tuple[str, dict[str, Any]]] = [
+    ("isel", {"step": [0]}),
+    ("isel", {"step": [-1, 0], "x": [5, 2, 2, -1]}),
+    ("isel", {"step": np.array([True, False, True, False]), "y": np.arange(3), "x": 4}),
+    ("isel", {"x": []}),
+    ("isel", {"x": slice(None, None, -3), "y": [1, 0], "z": [2, 0]}),
+    ("isel", {"component": [5, 0], "x": np.int64(3)}),
+    ("sel", {"x": [1e-4, -1e-4, 0.0], "method": "nearest"}),
+    ("sel", {"step": [4, 0], "component": ["xx", "xz"]}),
+    ("sel", {"component": slice("yy", "yz"), "z": [0.0], "method": "nearest"}),
+]
+
+
+@pytest.mark.parametrize(("method", "wanted"), SELECTIONS)
+def test_selections_are_those_of_xarray(run: Run, method: str, wanted: dict[str, Any]) -> None:
+    pytest.importorskip("xarray")
+    field = run.field("lower", "stress")
+    if method == "isel" and "step" in wanted and isinstance(wanted["step"], np.ndarray):
+        wanted = wanted | {"step": np.arange(field.shape[0]) % 2 == 0}
+    whole = field.to_xarray()
+    options = dict(wanted)
+    if "component" in wanted and options.pop("method", None):  # xarray finds no nearest word
+        expected = whole.sel(component=options.pop("component")).sel(options, method="nearest")
+    else:
+        expected = getattr(whole, method)(**wanted)
+    found = getattr(field, method)(**wanted)
+    assert found.dims == expected.dims
+    assert found.shape == expected.shape
+    np.testing.assert_array_equal(found.values, expected.values)
+    for dim in found.coords:
+        np.testing.assert_array_equal(found.coords[dim], expected.coords[dim].values)
+    np.testing.assert_array_equal(found.to_xarray().values, expected.values)
+
+
+def test_a_selection_is_selected_further(run: Run) -> None:
+    field = run.field("lower", "residual_displacement")
+    few = field.isel({"x": [8, 2, 5]})
+    np.testing.assert_array_equal(few.isel(x=slice(None, None, -1)).values, field.values[:, :, [5, 2, 8]])
+    np.testing.assert_array_equal(few.isel(x=[True, False, True]).values, field.values[:, :, [8, 5]])
+    np.testing.assert_array_equal(few.sel(x=few.coords["x"][1]).values, field.values[:, :, 2])
+
+
 @pytest.mark.parametrize(
     ("select", "message"),
     [
@@ -106,6 +148,16 @@ def test_labels(run: Run) -> None:
         (lambda f: f.sel(x=0.1, method="linear"), "'linear' is not known"),
         (lambda f: f.isel(x=1000), "there is no index 1000"),
         (lambda f: f.isel(x=1).isel(x=1), "no axis 'x'; allowed: step, y"),
+        (lambda f: f.isel(z=[0]), "no axis 'z'; allowed: step, y, x"),
+        (lambda f: f.isel(x=[0, 1000]), "x has 21 entries, there is no index 1000"),
+        (lambda f: f.isel(x=1.5), r"x = 1\.5 is no index; allowed: an integer, a slice or a list of integers"),
+        (lambda f: f.isel(x=["a"]), "x = 'a' is no index"),
+        (lambda f: f.isel(x=[[0, 1]]), "the indices of x have 2 axes; allowed: a list with one axis"),
+        (lambda f: f.isel(step=[True]), "step has .* entries, but 1 booleans"),
+        (lambda f: f.sel(step=[0, 3]), "step = 3 is not there; allowed: 0, 4, 8"),
+        (lambda f: f.sel(x=[float("nan")], method="nearest"), "x = nan is not there"),
+        (lambda f: f.sel(x=[object()], method="nearest"), "x = <object .* is not there"),
+        (lambda f: f.sel(x=slice("a", None)), r"x = slice\('a', None, None\) is not there"),
     ],
 )
 def test_wrong_selections(run: Run, select: Any, message: str) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -78,7 +79,7 @@ def test_the_direction_is_an_angle() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"load": None}, "none of load and approach is given"),
+        ({"load": None}, "none of load, approach and pressure is given"),
         ({"approach": "1 um"}, "load = 50.0 cannot stand together with approach"),
         ({"displacement": None}, "none of displacement and force is given"),
         ({"force": "1 N"}, "cannot stand together with force"),
@@ -396,3 +397,28 @@ def test_slip_heats_both_bodies() -> None:
 def test_heat_of_slip_needs_a_frequency() -> None:
     with pytest.raises(InputError, match="frequency is missing: .* allowed: a frequency > 0"):
         fretting(lower=warm(FLAT), upper=warm(BALL)).run(in_memory=True)
+
+
+def test_rough_flats_are_pressed_by_a_mean_pressure() -> None:
+    """The same run as by the load of the period."""
+    rough = brinell.RandomSurface(hurst=0.8, rms_slope=0.03, rolloff="10 um", cutoff="5 um", size=("20 um", "20 um"))
+    steel = brinell.Material("210 GPa", 0.3)
+    bodies = brinell.Body(brinell.Flat(), steel, rough), brinell.Body(brinell.Flat(), brinell.RIGID)
+    rest: dict[str, Any] = {
+        "displacement": "1 nm",
+        "cycles": 1,
+        "steps_per_cycle": 4,
+        "press_steps": 2,
+        "interface": {"friction": 0.3},
+        "grid": {"boundary": "periodic", "size": ["20 um", "20 um"], "cells": [16, 16]},
+    }
+    by_pressure = brinell.Fretting(*bodies, pressure="50 MPa", **rest).run(in_memory=True)
+    by_load = brinell.Fretting(*bodies, load=50e6 * (20e-6) ** 2, **rest).run(in_memory=True)
+    np.testing.assert_allclose(by_pressure.history["F_n"], by_load.history["F_n"], rtol=1e-12)
+    np.testing.assert_allclose(by_pressure.history["force"], by_load.history["force"], rtol=1e-12, atol=1e-12)
+    with pytest.raises(
+        brinell.InputError, match=r"pressure = .* is the mean over a period; allowed with grid.boundary"
+    ):
+        brinell.Fretting(FLAT, BALL, pressure="50 MPa", displacement="1 nm", interface={"friction": 0.3})
+    with pytest.raises(brinell.InputError, match="cannot stand together with"):
+        brinell.Fretting(*bodies, pressure="50 MPa", load=1.0, **rest)

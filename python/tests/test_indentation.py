@@ -138,3 +138,13 @@ def test_at_default_settings_contact_is_round_and_the_load_curve_smooth() -> Non
     depth, load = np.log(run.history["approach"][2:]), np.log(run.history["F_n"][2:])
     smooth = np.polyval(np.polyfit(depth, load, 2), depth)  # close to a power law
     np.testing.assert_allclose(np.exp(load - smooth), 1.0, rtol=0.02)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["interference", "normalised_interference", "lower_radius", "upper_radius", "offset", "closest_interference"],
+)
+def test_what_only_a_tugging_has_is_told(make_indentation: MakeRun, name: str) -> None:
+    run = open_run(make_indentation())
+    with pytest.raises(RunError, match=f"is of scenario 'indentation'; only results of 'tugging' have {name}"):
+        getattr(run, name)

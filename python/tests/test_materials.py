@@ -287,3 +287,65 @@ def test_constants_of_steels_are_those_of_the_standards() -> None:
 def test_constants_of_heat_are_checked_when_they_are_given(call: Callable[[], Any], message: str) -> None:
     with pytest.raises(brinell.InputError, match=message):
         call()
+
+
+@pytest.mark.parametrize(
+    ("given", "columns"),
+    [
+        ([(0, 1.5), (3e-6, 1)], ((0, 3e-6), (1.5, 1))),
+        (([0, 3e-6], [1.5, 1]), ((0, 3e-6), (1.5, 1))),
+        ([("0 um", 1.5), ("3 um", 1)], (("0 um", "3 um"), (1.5, 1))),
+        ((["0 um", "3 um"], [1.5, 1]), (("0 um", "3 um"), (1.5, 1))),
+        ({"depth": [0, 3e-6], "factor": [1.5, 1]}, ((0, 3e-6), (1.5, 1))),
+        ([(0, 1.5), (1e-6, 1.2), (3e-6, 1)], ((0, 1e-6, 3e-6), (1.5, 1.2, 1))),
+        (([0, 1e-6, 3e-6], [1.5, 1.2, 1]), ((0, 1e-6, 3e-6), (1.5, 1.2, 1))),
+        (np.array([[0, 1.5], [1e-6, 1.2], [3e-6, 1]]), ((0, 1e-6, 3e-6), (1.5, 1.2, 1))),
+        (([0], [1.5]), ((0,), (1.5,))),
+        ([(0, 1.5)], ((0,), (1.5,))),
+    ],
+)
+def test_a_profile_is_given_by_points_or_columns(given: Any, columns: Any) -> None:
+    material = Material(2e11, 0.3, Perfect(1e9), yield_profile=given)
+    assert material.yield_profile == columns
+    assert material.to_case()["yield_profile"] == {"depth": list(columns[0]), "factor": list(columns[1])}
+    brinell.reference.contact_modulus(material)  # the engine reads it
+
+
+def test_a_profile_of_stress_is_given_by_points_or_columns() -> None:
+    for given in ([(0, -2e8), (1e-4, 0)], ([0, 1e-4], [-2e8, 0]), {"depth": [0, 1e-4], "value": [-2e8, 0]}):
+        assert Material(2e11, 0.3, Perfect(1e9), initial_stress=given).initial_stress == ((0, 1e-4), (-2e8, 0))
+    assert Material(2e11, 0.3, Perfect(1e9), initial_stress=[("0 um", "-200 MPa"), ("9 um", 0)]).initial_stress == (
+        ("0 um", "9 um"),
+        ("-200 MPa", 0),
+    )
+
+
+@pytest.mark.parametrize(
+    ("keywords", "message"),
+    [
+        (
+            {"yield_profile": [(0, 0.05), (0.02, 0.1)]},
+            "can be two points or two columns; allowed: yield_profile={'depth'",
+        ),
+        ({"yield_profile": [(0, 7), (9, 8)]}, "can be two points or two columns"),
+        ({"yield_profile": [(0, 1, 2)]}, r"allowed: yield_profile=\{'depth': \[...\], 'factor': \[...\]\}, points"),
+        ({"yield_profile": 3}, "yield_profile = 3; allowed"),
+        ({"yield_profile": "3 um"}, "yield_profile = '3 um'; allowed"),
+        ({"yield_profile": {"depths": [0], "factor": [1]}}, "yield_profile has the keys 'depths', 'factor'; allowed"),
+        (
+            {"back_stresses": ([90e9, 10e9], [600, 50])},
+            r"back_stresses\[0\] has the recall 1e\+10, which no material has",
+        ),
+        ({"back_stresses": [("90 GPa",)]}, r"back_stresses\[0\] = \('90 GPa',\); allowed: pairs"),
+        ({"back_stresses": [{"module": 1}]}, r"back_stresses\[0\] has the keys 'module'; allowed: pairs"),
+        ({"back_stresses": ["90 GPa"]}, r"back_stresses\[0\] = '90 GPa'; allowed: pairs"),
+    ],
+)
+def test_what_can_be_read_in_two_ways_is_refused(keywords: Any, message: str) -> None:
+    with pytest.raises(brinell.InputError, match=message):
+        Material(2e11, 0.3, Perfect(1e9), **keywords)
+
+
+def test_back_stresses_are_named_as_in_a_case_file() -> None:
+    terms = [{"modulus": "90 GPa", "recall": 600}, {"modulus": 10e9}]
+    assert Material(2e11, 0.3, Perfect(1e9), back_stresses=terms).back_stresses == (("90 GPa", 600), (10e9, 0.0))

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import inspect
 import json
 from collections.abc import Callable
 from pathlib import Path
 
 import matplotlib
+import matplotlib.image
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+import brinell.plot
 from brinell.plot import cells, fields, paper, style
+from brinell.plot.energy import energy_balance
 from brinell.plot.history import run_history
 from brinell.results import History, Run, RunError, open_run
 from figure_parts import curve, legend_of, texts
@@ -322,11 +326,86 @@ def test_history_of_the_other_scenarios(
 
 
 def test_figures_leave_the_callers_settings_alone(runs: list[Run]) -> None:
-    with matplotlib.rc_context({"font.size": 31.0}):
+    assert paper.fig11(runs).axes[0].xaxis.label.get_size() == 10
+    with matplotlib.rc_context({"font.size": 18.0}):
         before = dict(matplotlib.rcParams)
         fig = paper.fig11(runs)
         assert dict(matplotlib.rcParams) == before
-    assert fig.axes[0].xaxis.label.get_size() == 10
+    assert fig.axes[0].xaxis.label.get_size() == 20  # in proportion, as 10 to 9
+
+
+def test_settings_that_the_caller_has_changed_are_respected(runs: list[Run], tmp_path: Path) -> None:
+    own = {
+        "axes.grid": True,
+        "axes.labelsize": 7.0,
+        "figure.figsize": (3.3, 2.4),
+        "savefig.dpi": 50,
+        "axes.spines.top": True,
+    }
+    with matplotlib.rc_context({**own, "font.family": "DejaVu Serif"}):
+        fig = paper.fig11(runs)
+        (written,) = style.save(fig, tmp_path, "figure")
+    ax = fig.axes[0]
+    assert ax.xaxis.label.get_size() == 7
+    assert ax.xaxis.label.get_fontfamily() == ["DejaVu Serif"]
+    assert fig.get_size_inches().tolist() == [3.3, 2.4]
+    assert ax.xaxis.get_gridlines()[0].get_visible()
+    # 50 dots per inch, and the margin of a sheet that is cut to what is drawn.
+    assert matplotlib.image.imread(written).shape[:2] == pytest.approx((120, 165), abs=8)
+
+
+@pytest.mark.parametrize("name", sorted(set(brinell.plot.__all__) - {"animate", "standard_figures"}))
+def test_every_figure_draws_into_given_axes(name: str) -> None:
+    function = getattr(brinell.plot, name)
+    if (
+        isinstance(function, type)
+        or not callable(function)
+        or "Figure" not in str(inspect.signature(function).return_annotation)
+    ):
+        pytest.skip("makes no figure")
+    assert "ax" in inspect.signature(function).parameters
+
+
+def test_figures_in_axes_of_the_caller(runs: list[Run]) -> None:
+    mine = Figure()
+    left, right = mine.subplots(1, 2)
+    right.set_title("mine")
+    assert paper.fig11(runs, ax=left) is mine
+    assert left.lines
+    assert not right.lines
+    assert right.get_title() == "mine"
+    plain = paper.fig11(runs).axes[0]
+    assert [line.get_xydata().tolist() for line in left.lines] == [line.get_xydata().tolist() for line in plain.lines]
+
+    panels = Figure().subplots(2, 1)
+    energy_balance(runs[-1], ax=panels)
+    assert all(ax.lines or ax.collections for ax in panels)
+    with pytest.raises(brinell.InputError, match="ax has 1 axes, but the figure has 2 x 1 panels; allowed: .*subplots"):
+        energy_balance(runs[-1], ax=left)
+    with pytest.raises(brinell.InputError, match="ax = 'left'; allowed: matplotlib's axes"):
+        energy_balance(runs[-1], ax="left")
+    with pytest.raises(brinell.InputError, match="panels of different sizes"):
+        paper.overview(runs, ax=panels)
+
+    whole = Figure(figsize=(12, 5))
+    above, below = whole.subfigures(2, 1)
+    assert paper.overview(runs, ax=below) is below
+    assert below.axes
+    assert not above.axes
+
+
+def test_runs_of_a_sweep_are_named_by_what_differs(make_rolling: MakeRun, tmp_path: Path) -> None:
+    folders = [make_rolling(passes=3, title="", name=name) for name in ("000000", "000001")]
+    for folder, load in zip(folders, (10.0, 25.0), strict=True):
+        path = folder / "summary.json"
+        summary = json.loads(path.read_text())
+        summary["case"] = {"scenario": "rolling", "rolling": {"load": load}, "output": {"snapshots": str(folder)}}
+        path.write_text(json.dumps(summary))
+    runs = {7: open_run(folders[0]), 9: open_run(folders[1])}  # as the runs of a sweep
+    fig = brinell.plot.pass_by_pass(runs)
+    assert fig is not None
+    texts = {text.get_text() for text in fig.findobj(matplotlib.text.Text)}
+    assert {"load 10 N", "load 25 N"} <= texts
 
 
 def test_equal_results_give_equal_files(runs: list[Run], tmp_path: Path) -> None:

@@ -251,7 +251,7 @@ def test_heights_alone_need_no_spacing(tmp_path: Path) -> None:
     ("options", "text"),
     [
         ([], "a .npy file has no spacing; give --spacing, as 1um or 1um,2um"),
-        (["--spacing", "1um", "--unit", "inch"], "--unit inch is no unit of length; allowed: m, cm,"),
+        (["--spacing", "1um", "--unit", "furlong"], "--unit furlong is no unit of length; allowed: m, cm,"),
     ],
 )
 def test_errors_name_options_and_not_arguments(tmp_path: Path, options: list[str], text: str) -> None:

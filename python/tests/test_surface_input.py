@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell import InputError, IoError, surfaces
+from brinell import InputError, IoError, _core, surfaces
 from brinell.surfaces import HeightMap
 
 
@@ -127,3 +127,9 @@ def test_a_file_that_cannot_be_read_is_named(tmp_path: Path, ending: str) -> Non
     file.symlink_to("/proc/self/mem")  # a regular file whose first bytes are never readable
     with pytest.raises(IoError, match=rf"heights\.{ending}: cannot be read: Input/output error"):
         surfaces.read(file, spacing="1 um")
+
+
+def test_units_of_case_files_are_units_of_surfaces() -> None:
+    for unit in ("m", "cm", "mm", "um", "nm", "pm", "angstrom", "Å", "in", "inch"):
+        surface = brinell.HeightMap([[0.0, 1.0], [2.0, 0.0]], (1e3, 1e3), unit=unit)
+        assert surface.heights[1, 0] - surface.heights[0, 0] == pytest.approx(2 * _core.length(f"1 {unit}"), rel=1e-15)

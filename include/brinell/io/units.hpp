@@ -48,7 +48,7 @@ struct Quantity
   Dimension dimension;
 };
 
-/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Every unit is a power of ten of the SI unit. This
+/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Nearly every unit is a power of ten of the SI unit; inch, kgf and HV have a factor besides. This
 /// power is added to the exponent of the number before the number is parsed, so that "3.85 mm" is the same double as 0.00385.
 /// @throws InputError; its text continues a sentence that begins with the value ("has the unknown unit ...").
 [[nodiscard]] Quantity quantity(std::string_view text);

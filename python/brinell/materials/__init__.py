@@ -8,6 +8,7 @@ Numbers are in SI units; text has its own unit, as in the case file. e is the eq
 yield stress in uniaxial tension.
 """
 
+from brinell.materials.curves import MeasuredCurve
 from brinell.materials.hardening import (
     Hardening,
     Hollomon,
@@ -33,6 +34,7 @@ __all__ = [
     "LinearSoftening",
     "Ludwik",
     "Material",
+    "MeasuredCurve",
     "Perfect",
     "Softening",
     "SofteningTable",

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Sequence
 from dataclasses import InitVar, dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
+from brinell._names import level_of_caller
 from brinell._toml import tomllib
 from brinell._values import plain
 from brinell.bodies import Quantity
+from brinell.case import CaseWarning
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 from brinell.materials.sampling import Law, sampled
@@ -148,35 +151,56 @@ class Table(Hardening):
 
     @classmethod
     def from_file(
-        cls, path: str | Path, *, unit: str = "Pa", strain: Literal["1", "%"] = "1", monotone: bool = False
+        cls,
+        path: str | Path,
+        *,
+        unit: str = "Pa",
+        strain: Literal["1", "%"] = "1",
+        monotone: bool = False,
+        young_modulus: Quantity | None = None,
+        **how: Any,
     ) -> Table:
-        """Reads a measured curve from a text file with plastic strain and stress of one point per line.
+        """Reads a measured curve from a text file with strain and stress of one point per line.
 
         Columns are separated by commas, semicolons, tabs or blanks. If the separator is not a comma, commas are decimal
-        commas. Title lines may come first; comments start with #.
+        commas. Title lines may come first; comments start with #. Without further keywords the strains are plastic. Of
+        total strains or engineering values `MeasuredCurve.from_file` tells and draws what became of them.
 
         Args:
             path: path of the file.
             unit: unit of the stresses in the file, such as "MPa".
-            strain: unit of the plastic strains in the file, "1" or "%".
+            strain: unit of the strains in the file, "1" or "%".
             monotone: raise a stress below an earlier one to the earlier one; otherwise a decreasing curve is an error.
+            young_modulus: Young's modulus, for the elastic part of total strains and of engineering values.
+            how: further keys of `material.hardening` in a case file: strain_type="total", measure="engineering", test,
+                yield_from, yield_offset, elastic_slope.
 
         Raises:
             InputError: the file or one of its lines is invalid, the unit is unknown, or the curve is not a hardening
                 law.
         """
+        is_elastic = how.get("strain_type") == "total" or how.get("measure") == "engineering"
+        if is_elastic and young_modulus is None and how.get("elastic_slope") != "curve":
+            raise InputError(
+                f"{path} has elastic strains, which need young_modulus; allowed: young_modulus='210 GPa', or "
+                "elastic_slope='curve' for the slope of the curve itself"
+            )
         table = {
             "law": cls.law,
             "file": str(Path(path).absolute()),
             "stress_unit": unit,
             "strain_unit": strain,
             "monotone": monotone,
-        }
+        } | how
+        modulus = 1e12 if young_modulus is None else young_modulus
         try:
-            case = case_of({"young_modulus": 1e12, "poisson_ratio": 0.3, "hardening": table})
+            case = case_of({"young_modulus": modulus, "poisson_ratio": 0.3, "hardening": table})
         except InputError as error:
             text = str(error).replace("material.hardening.", "").replace("stress_unit", "unit")
             raise InputError(text.replace("strain_unit", "strain")) from None
+        for key, text in case.warnings:
+            if key.startswith("curve_"):
+                warnings.warn(text.replace("lower.material.hardening.", ""), CaseWarning, stacklevel=level_of_caller())
         hardening = tomllib.loads(case.resolved_text())["lower"]["material"]["hardening"]
         return cls(hardening["plastic_strain"], hardening["stress"])
 

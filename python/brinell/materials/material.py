@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
@@ -15,15 +15,11 @@ from brinell.bodies import Quantity
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 from brinell.materials.hardening import Hardening, Table
+from brinell.materials.profiles import Profile, columns_of, terms_of
 from brinell.materials.sampling import Law
 from brinell.materials.thermal import Softening, Thermal
 
 __all__ = ["RIGID", "Material"]
-
-
-def _tuples(values: Iterable[Any]) -> tuple[tuple[Any, ...], ...]:
-    """Converts pairs or lists to tuples, which are immutable and can be compared."""
-    return tuple(tuple(plain(entry)) for entry in values)
 
 
 @dataclass(frozen=True)
@@ -37,21 +33,25 @@ class Material:
             function sigma_y(e) is converted by `Table.of`, up to a strain of 1.
         back_stresses: kinematic hardening as pairs (modulus C [Pa], recall gamma [-]),
             d alpha = 2/3 C d eps - gamma alpha d e (Armstrong, Frederick 1966; Chaboche 1986; gamma = 0: Prager 1956).
-        yield_profile: pair (depths [m], factors on the yield stress [-]), linear between the depths, constant beyond.
-        initial_stress: pair (depths [m], stresses xx = yy before the first load [Pa]), positive in tension.
+        yield_profile: factors on the yield stress over the depth, linear between the depths, constant beyond: points
+            [(depth [m], factor [-]), ...], {"depth": [...], "factor": [...]}, or columns (depths, factors). The
+            attribute has columns.
+        initial_stress: stresses xx = yy before the first load, positive in tension: points [(depth [m], stress [Pa]),
+            ...], {"depth": [...], "value": [...]}, or columns (depths, stresses). The attribute has columns.
         thermal: thermal constants; None: no heat is computed in the body.
         softening: law of thermal softening of the yield stress; None: no softening.
 
     Raises:
-        InputError: hardening, thermal or softening is of another type. Values are checked when the material is used.
+        InputError: hardening, thermal or softening is of another type, or a profile can be read in two ways. Other
+            values are checked when the material is used.
     """
 
     young_modulus: Quantity
     poisson_ratio: float
     hardening: Hardening | Law | None = None
-    back_stresses: Sequence[tuple[Quantity, float]] = ()
-    yield_profile: tuple[Sequence[Quantity], Sequence[float]] | None = None
-    initial_stress: tuple[Sequence[Quantity], Sequence[Quantity]] | None = None
+    back_stresses: Sequence[tuple[Quantity, float] | Mapping[str, Any]] = ()
+    yield_profile: Profile | None = None
+    initial_stress: Profile | None = None
     thermal: Thermal | None = None
     softening: Softening | None = None
 
@@ -69,10 +69,10 @@ class Material:
             raise InputError(
                 f"softening = {self.softening!r}; allowed: a law, as brinell.JohnsonCook(1500, 1.0), or None"
             )
-        object.__setattr__(self, "back_stresses", _tuples(self.back_stresses))
-        for name in ("yield_profile", "initial_stress"):
+        object.__setattr__(self, "back_stresses", terms_of(self.back_stresses))
+        for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
             if (profile := getattr(self, name)) is not None:
-                object.__setattr__(self, name, _tuples(profile))
+                object.__setattr__(self, name, columns_of(profile, name, value))
 
     @property
     def is_rigid(self) -> bool:

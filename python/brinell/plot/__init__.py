@@ -1,20 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures of results; each function returns a matplotlib Figure, `style.save` writes it.
 
+With `ax` a function draws into axes of the caller: as many as the figure has panels, or a figure or subfigure.
+Settings of matplotlib (`matplotlib.rcParams`) that the caller has changed are respected. A figure of several runs names
+them by their titles, or by what differs between their cases.
+
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
 runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
 over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
 scenario), `slip` and `friction_heat` (stick and slip, and the heat of friction, in one state), `history`, `energy`
 and `wear` (one run step by step), `temperature` (step by step, and in one state), `animation` and `pressure` (one
 pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run),
-`surfaces` (a height map), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `scales` (what each
-quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay`
-(several results in one figure), `states` (which state and which bodies), `cells` (cell values as pictures).
+`surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key numbers over what varies), `cli`
+(`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in axes of the caller), `scales`
+(what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane),
+`overlay` (several results in one figure), `differences` (their names), `states` (which state and which bodies), `cells`
+(cell values as pictures), `sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.asperities import friction_over_load, passes_map
 from brinell.plot.creepage import creep_curve
+from brinell.plot.curves import measured_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
@@ -52,6 +59,7 @@ from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.standard import standard_figures
 from brinell.plot.style import save
 from brinell.plot.surfaces import surface
+from brinell.plot.sweeps import sweep_numbers
 from brinell.plot.temperature import surface_temperature_maps, surface_temperatures
 from brinell.plot.wear import worn_course, worn_profiles
 
@@ -88,6 +96,7 @@ __all__ = [
     "imprint",
     "in_si",
     "load_depth",
+    "measured_curve",
     "overview",
     "pass_by_pass",
     "passes_map",
@@ -106,6 +115,7 @@ __all__ = [
     "surface_temperature_maps",
     "surface_temperatures",
     "surfaces_before_and_after",
+    "sweep_numbers",
     "track_profile",
     "worn_course",
     "worn_profiles",

@@ -159,7 +159,7 @@ def _animation(
     contact = draw_contact(ax, first.contact, plane, length.size)
     ax.set_xlabel(across_label(length, plane, from_contact=not on_body, bodies=len(panel.cuts)))
     ax.set_ylabel(length.label("depth", "z", value=False))
-    title = fig.suptitle(" ", fontsize=10)
+    title = fig.suptitle(" ", fontsize=style.font(10))
     place = plane.label(from_contact=plane.axis == "x" and not on_body)
 
     def update(frame: _Frame) -> list[Artist]:

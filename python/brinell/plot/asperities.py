@@ -25,7 +25,9 @@ _POINTS = 161
 
 
 @style.figure
-def passes_map(of: AsperityMap, quantity: str = "work", ratio: float = 1.0) -> Figure:
+def passes_map(
+    of: AsperityMap, quantity: str = "work", ratio: float = 1.0, *, ax: style.Target | None = None
+) -> Figure:
     """A result of one pass over interference and offset, and along the nodes of the map with their errors.
 
     All in units of the pair: alpha_c, and the way L = sqrt(2 (R1 + R2) alpha_c) of offset and pass.
@@ -34,6 +36,7 @@ def passes_map(of: AsperityMap, quantity: str = "work", ratio: float = 1.0) -> F
         of: the map.
         quantity: one of `brinell.asperities.QUANTITIES`.
         ratio: of the radii R1/R2.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     from brinell.asperities import QUANTITIES
     from brinell.asperities.pairs import closest
@@ -82,10 +85,14 @@ def _draw_nodes(ax: Axes, of: AsperityMap, quantity: str, power: float) -> None:
 
 
 @style.figure
-def friction_over_load(sums: Sequence[AsperitySum]) -> Figure | None:
+def friction_over_load(sums: Sequence[AsperitySum], *, ax: style.Target | None = None) -> Figure | None:
     """Friction by ploughing and real contact over the mean pressure, and the pressure over the separation.
 
     Bars are the intervals of the sums.
+
+    Args:
+        sums: what to draw.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing touches.

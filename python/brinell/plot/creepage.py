@@ -17,6 +17,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from brinell.plot import style
+from brinell.plot.differences import flat_case, told
 from brinell.plot.overlay import Look, legend_beside, looks, of_runs, require_scenario, zero_line
 from brinell.plot.rolling import creeps, rolled
 from brinell.plot.scales import PERCENT, Scale, si
@@ -61,7 +62,9 @@ def _point(run: Run) -> _Point:
     bound = float(run.case("interface", "friction")) * float(part["F_n"][quarter].mean())
     last = run.passes[-1]
     force = (last.F_x / bound, last.F_y / bound) if bound > 0.0 else (0.0, 0.0)
-    others = tuple((key, value) for key, value in _flat((run.summary or {})["case"]) if not key.startswith(_NO_MATTER))
+    others = tuple(
+        (key, value) for key, value in flat_case((run.summary or {})["case"]) if not key.startswith(_NO_MATTER)
+    )
     return _Point(run, creepage, bound, force, last.creep_steady, others)
 
 
@@ -77,17 +80,6 @@ _NO_MATTER = (
     "rolling.load_steps",
     "rolling.shift",
 )
-
-
-def _flat(table: Mapping[str, Any], before: str = "") -> list[tuple[str, Any]]:
-    """Keys of a case, dotted, with values that can be compared."""
-    found: list[tuple[str, Any]] = []
-    for key, value in table.items():
-        if isinstance(value, Mapping):
-            found += _flat(value, f"{before}{key}.")
-        else:
-            found.append((f"{before}{key}", tuple(value) if isinstance(value, list) else value))
-    return found
 
 
 def _abscissa(points: Sequence[_Point], own: Cause) -> Cause | None:
@@ -115,8 +107,8 @@ def _families(points: Sequence[_Point], over: Cause) -> dict[str, _Family]:
     shared = set.intersection(*(set(key) for key in found))
     named: dict[str, _Family] = {}
     for key, family in found.items():
-        told = [_told(name, value) for name, value in key if (name, value) not in shared]
-        label = ",  ".join(told[:_MOST_TOLD]) + (",  ..." if len(told) > _MOST_TOLD else "")
+        known = [told(name, value) for name, value in key if (name, value) not in shared]
+        label = ",  ".join(known[:_MOST_TOLD]) + (",  ..." if len(known) > _MOST_TOLD else "")
         label = label or "computed"
         named[label if label not in named else f"{label} ({len(named) + 1})"] = sorted(
             family, key=lambda point: point.creepage[over]
@@ -125,34 +117,6 @@ def _families(points: Sequence[_Point], over: Cause) -> dict[str, _Family]:
 
 
 _MOST_TOLD = 3
-
-_UNITS = {
-    "load": "N",
-    "hertz_pressure": "Pa",
-    "approach": "m",
-    "radius": "m",
-    "young_modulus": "Pa",
-    "yield_stress": "Pa",
-    "modulus": "Pa",
-    "shear_limit": "Pa",
-    "spin": "rad/m",
-}
-"""Of keys that are likely to vary between curves."""
-
-
-def _told(key: str, value: Any) -> str:
-    """A key of a case with its value, as the name of a curve.
-
-    >>> _told("interface.friction", 0.3), _told("rolling.load", 1000.0)
-    ('friction 0.3', 'load 1 kN')
-    """
-    name = key.rpartition(".")[2]
-    body = f"{key.partition('.')[0]} " if key.startswith(("lower.", "upper.")) else ""
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    unit = _UNITS.get(name)
-    text = str(value) if not is_number else style.quantity(value, unit) if unit and value else style.number(value)
-    return f"{body}{name.replace('_', ' ')} {text}"
-
 
 # --- Linear theory ----------------------------------------------------------------------------------------------------
 
@@ -192,7 +156,7 @@ def _linear_force(point: _Point) -> tuple[float, float] | None:
 
 @style.figure
 @of_runs
-def creep_curve(runs: Sequence[Run]) -> Figure | None:
+def creep_curve(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Steady forces along and across the motion over friction times load, against creepage, a point for each run.
 
     Runs that differ in more than creepage and spin have a curve each. Each force is drawn over the creepage along it
@@ -202,6 +166,7 @@ def creep_curve(runs: Sequence[Run]) -> Figure | None:
 
     Args:
         runs: rollings with creepage, or a sweep of them; others among them are left out.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if there are no two of them that differ in creepage or spin.

@@ -15,10 +15,10 @@ from brinell.plot.overlay import largest, looks, zero_line
 from brinell.plot.planes import Plane, on_plane
 from brinell.plot.quantities import QUANTITIES, Quantity
 from brinell.plot.scales import PERCENT, Scale, Scales, si, twin_axis
-from brinell.plot.states import Bodies, Side, chosen_sides, state_title
-from brinell.results import Run, RunError, Snapshot
+from brinell.plot.states import Bodies, Side, chosen_sides, sides, state_title
+from brinell.results import BodyFields, Run, RunError, Snapshot
 
-__all__ = ["stress_over_depth"]
+__all__ = ["most_strained", "stress_over_depth", "usual_place"]
 
 FloatArray = NDArray[np.float64]
 
@@ -27,16 +27,24 @@ _COMPONENTS = ("stress_xx", "stress_yy", "stress_zz")
 
 @style.figure
 def stress_over_depth(
-    run: Run, snapshot: Snapshot | None = None, *, x: float = 0.0, y: float = 0.0, bodies: Bodies = "both"
+    run: Run,
+    snapshot: Snapshot | None = None,
+    *,
+    x: float | None = None,
+    y: float | None = None,
+    bodies: Bodies = "both",
+    ax: style.Target | None = None,
 ) -> Figure:
     """Normal stresses and equivalent plastic strain over the depth under one point.
 
     Args:
         run: where the scales come from.
         snapshot: the state, with tensors; the final one by default, whose stress is residual.
-        x: of the point on each body [m]; while the bodies touch, from the centre of contact.
+        x: of the point on each body [m]; while the bodies touch, from the centre of contact. Without x and y: 0, 0, or
+            where the largest plastic strain is if nothing has yielded under 0, 0.
         y: of the point [m].
         bodies: "both", "lower" or "upper"; those without stress and strain are left out.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the stress is not stored, the point lies outside the grids, or the body is rigid.
@@ -46,6 +54,9 @@ def stress_over_depth(
     with_stress = [side for side in chosen if any(np.any(one) for one in side.body.stress.values())]
     if not with_stress:
         raise RunError(f"{run.path}: no stress components are stored at step {state.step}, or they vanish")
+    if x is None and y is None:
+        x, y = usual_place(state)
+    x, y = x or 0.0, y or 0.0
     lines = {side.name: _lines(run, state, side, x, y) for side in with_stress}
     depth = si(largest(side.body.z for side in with_stress), "m")
     stress = si(largest(one[name] for one in lines.values() for name in _COMPONENTS), "Pa")
@@ -62,8 +73,34 @@ def stress_over_depth(
     if len(with_stress) > 1:
         last.legend()
     _name_axes(run, panels, last, depth, stress)
-    fig.suptitle(f"Under {_place(x, y, from_contact=state.in_contact)}:  {state_title(run, state)}", fontsize=10)
+    place = _place(x, y, from_contact=state.in_contact)
+    fig.suptitle(f"Under {place}:  {state_title(run, state)}", fontsize=style.font(10))
     return fig
+
+
+def most_strained(body: BodyFields) -> tuple[int, int] | None:
+    """Row and column of the cells under which the largest plastic strain of a body is; None if it has not yielded."""
+    strain = body.equivalent_plastic_strain
+    if not np.any(strain):
+        return None
+    _, row, column = np.unravel_index(int(np.argmax(strain)), strain.shape)
+    return int(row), int(column)
+
+
+def usual_place(state: Snapshot, x: float = 0.0) -> tuple[float, float]:
+    """The point (x, 0), or the one of the largest plastic strain if no body has yielded under (x, 0) [m]."""
+    found: list[tuple[float, float, float]] = []
+    for side in sides(state):
+        body, place = side.body, most_strained(side.body)
+        shift = body.contact_x if state.in_contact else 0.0
+        if place is None:
+            continue
+        row, column = int(np.argmin(np.abs(body.y))), int(np.argmin(np.abs(body.x - shift - x)))
+        if np.any(body.equivalent_plastic_strain[:, max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]):
+            return x, 0.0
+        largest_strain = float(body.equivalent_plastic_strain.max())
+        found.append((largest_strain, float(body.x[place[1]] - shift), float(body.y[place[0]])))
+    return max(found)[1:] if found else (x, 0.0)
 
 
 def _place(x: float, y: float, *, from_contact: bool) -> str:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +18,8 @@ from brinell.plot import style
 from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cells, extent, refined
 from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
 from brinell.plot.scales import Scale, Scales
-from brinell.plot.sections import name_contact_axes, section
+from brinell.plot.sections import section
+from brinell.plot.sheets import enlarged, few_ticks, lying, sheet_of
 from brinell.plot.slip import stick_slip_maps
 from brinell.plot.states import Side, of_state, sides, state_title
 from brinell.plot.tangential import has_slip
@@ -32,7 +34,7 @@ FloatArray = NDArray[np.float64]
 
 @style.figure
 @of_state
-def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Contact pressure over p0_c in the plane of contact, with the edge of contact; in plane strain a line over x.
 
     Args:
@@ -40,6 +42,7 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
         snapshot: the state to draw; its bodies must touch.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres; the patch
             then needs no outline.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state.
@@ -53,14 +56,15 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure
     title = f"Contact pressure:  {state_title(run, snapshot)}"
     if _is_one_row(contact):
         return _row(contact.pressure, pressure, pressure.label("", "p"), title, snapshot, length, cells)
-    fig = style.new_figure(5.4, 4.3, to_scale=True)
+    sheet = sheet_of(*contact_patch(contact, length.size))
+    contact = lying(contact, sheet)
+    fig = sheet.new_figure()
     ax = fig.subplots()
     draw = _pressure_cells if cells else _smooth_pressure
     image = draw(ax, contact, length.size, pressure.size)
-    _crop(ax, *contact_patch(contact, length.size))
-    name_contact_axes(ax, length, snapshot)
+    sheet.finish(ax, length, snapshot, *contact_patch(contact, length.size))
     ax.set_title(title)
-    fig.colorbar(image, ax=ax, label=pressure.label("", "p"), pad=0.02)
+    sheet.colour_bar(fig, ax, image, pressure.label("", "p"))
     return fig
 
 
@@ -95,7 +99,7 @@ def _pressure_cells(ax: Axes, contact: ContactFields, length: float, unit: float
 def _smooth_pressure(ax: Axes, contact: ContactFields, length: float, unit: float) -> AxesImage:
     """Interpolates p^2 between cells: p^2 is linear up to the edge, where p itself rises like a square root."""
     edge = contact_edge(contact)
-    factor = max(2, 800 // min(contact.pressure.shape))
+    factor = max(2, min(800 // min(contact.pressure.shape), 3000 // max(contact.pressure.shape)))
     inside = np.clip(refined(edge, factor), 0.0, None)
     shown = np.ma.masked_equal(contact.pressure.max() * np.sqrt(inside), 0.0)
     image = _pressure_image(ax, contact, shown / unit, length, unit)
@@ -124,13 +128,14 @@ def _crop(ax: Axes, x: tuple[float, float], y: tuple[float, float]) -> None:
 
 @style.figure
 @of_state
-def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Gap between the deformed surfaces around the contact, with the edge of contact; in plane strain a line over x.
 
     Args:
         run: where the scales come from.
         snapshot: the state to draw; its bodies must touch.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state.
@@ -140,6 +145,8 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
         raise RunError(f"{run.path}: no contact in the state at step {snapshot.step}, so no gap around it to draw")
     scales = Scales(run)
     length = scales.length(max(np.abs(contact.x).max(), np.abs(contact.y).max()))
+    sheet = sheet_of(*contact_patch(contact, length.size))
+    contact = lying(contact, sheet)
     ranges = contact_patch(contact, length.size)
     shown = [
         (low <= c / length.size) & (c / length.size <= high)
@@ -148,9 +155,9 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
     largest = float(contact.gap[np.ix_(shown[1], shown[0])].max())
     gap = scales.displacement(largest)
     title = f"Gap:  {state_title(run, snapshot)}"
-    if _is_one_row(contact):
-        return _row(contact.gap, gap, gap.label("", "h"), title, snapshot, length, cells)
-    fig = style.new_figure(5.4, 4.3, to_scale=True)
+    if _is_one_row(snapshot.contact):
+        return _row(snapshot.contact.gap, gap, gap.label("", "h"), title, snapshot, length, cells)
+    fig = sheet.new_figure()
     ax = fig.subplots()
     image = draw_cells(
         ax,
@@ -170,10 +177,9 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
         colors=style.CONTACT_LINE,
         linewidths=1.0,
     )
-    _crop(ax, *ranges)
-    name_contact_axes(ax, length, snapshot)
+    sheet.finish(ax, length, snapshot, *ranges)
     ax.set_title(title)
-    fig.colorbar(image, ax=ax, label=gap.label("", "h"), pad=0.02)
+    sheet.colour_bar(fig, ax, image, gap.label("", "h"))
     return fig
 
 
@@ -184,7 +190,7 @@ def _height(body: BodyFields) -> FloatArray:
 
 @style.figure
 @of_state
-def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Permanent shape of the surfaces along the track: profile on y = 0, and maps.
 
     Heights are out of each body: pile-up positive, the groove negative. Coordinates are those of each body. A body
@@ -194,6 +200,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         run: where the scales come from.
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     scales = Scales(run)
     deformed = [side for side in sides(snapshot) if np.any(side.body.residual_displacement)] or sides(snapshot)
@@ -211,9 +218,10 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         return fig
 
     ranges = _active_range(deformed, 0.01 * max(-lowest, highest), length.size)
-    map_height = (width - 1.9) * (ranges[1][1] - ranges[1][0]) / (ranges[0][1] - ranges[0][0])
+    to_scale = (width - 1.9) * (ranges[1][1] - ranges[1][0]) / (ranges[0][1] - ranges[0][0])
+    map_height = min(max(to_scale, _LEAST_MAP), _MOST_MAP)
     count = len(deformed)
-    fig = style.new_figure(width, 3.8 + count * map_height, to_scale=True)
+    fig = style.new_figure(width, 3.8 + count * map_height + (count * map_height < _FLAT_MAPS), to_scale=True)
     axes = fig.subplots(1 + count, 1, sharex=True, gridspec_kw={"height_ratios": [2.3, *[map_height] * count]})
     _draw_profile(axes[0], deformed, length.size, depth)
     axes[0].set_title(f"Residual surfaces:  {state_title(run, snapshot)}")
@@ -231,11 +239,18 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
             interpolation="nearest" if cells else "catrom",
         )
         _crop(ax, *ranges)
-        ax.set_ylabel(length.label("", "y", value=False))
+        ax.set_ylabel(enlarged(length.label("", "y", value=False), map_height / to_scale))
+        if map_height != to_scale:
+            ax.set_aspect(map_height / to_scale)
+            few_ticks(ax, map_height)
         ax.text(0.01, 0.95, side.name, transform=ax.transAxes, ha="left", va="top")
     axes[-1].set_xlabel(length.label("along the surface", "x"))
     name = depth.label("height", "-u^r") + _enlargement(norm)
-    bar = fig.colorbar(image, ax=axes[1:], label=name, pad=0.02, format=FuncFormatter(lambda t, _: f"{t:.3g}"))
+    # Beside flat maps its label would be longer than the bar.
+    place: dict[str, Any] = (
+        {"location": "bottom", "aspect": 45.0, "shrink": 0.75} if count * map_height < _FLAT_MAPS else {"pad": 0.02}
+    )
+    bar = fig.colorbar(image, ax=axes[1:], label=name, format=FuncFormatter(lambda t, _: f"{t:.3g}"), **place)
     bar.set_ticks(_height_ticks(lowest / depth.size, highest / depth.size))
     return fig
 
@@ -279,6 +294,12 @@ def _height_ticks(lowest: float, highest: float) -> list[float]:
             ticks += [t for t in MaxNLocator(nbins=4).tick_values(low, high) if low <= t <= high and t != 0.0]
     return sorted(ticks)
 
+
+_LEAST_MAP, _MOST_MAP = 0.9, 5.0
+"""Heights of a map [inch], beyond which it is not drawn to scale."""
+
+_FLAT_MAPS = 1.8
+"""Height of all maps together [inch], up to which the colour bar is below them."""
 
 _NEGLIGIBLE = 1e-3
 """Share of the larger of depth and pile-up that is not worth a colour."""

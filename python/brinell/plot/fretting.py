@@ -68,11 +68,15 @@ def _friction(run: Run) -> float:
 
 @style.figure
 @of_runs
-def force_loops(runs: Sequence[Run]) -> Figure | None:
+def force_loops(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Force over displacement: all cycles of a single run, the last cycle of each of several runs.
 
     The dashed line is the limit of friction. The limit of one run among several has the colour of its loop; a limit
     that several runs share is grey. Returns None if nothing has moved.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "fretting")
     lines = _loop_lines(shown)
@@ -126,7 +130,9 @@ def _draw_limits(ax: Axes, shown: Sequence[Entry], force: Scale) -> None:
 
 
 @of_runs
-def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+def contact_maps(
+    runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False, ax: style.Target | None = None
+) -> Figure | None:
     """Maps of the contact of a single run: pressure with shear as arrows, sticking area, shear and slip.
 
     Returns None for several runs, for plane strain, and if the state has no shear.
@@ -135,16 +141,19 @@ def contact_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool =
         runs: one.
         which: number of a stored step; "aligned", the first turn; or "final".
         cells: show each cell as a rectangle of one colour.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     require_scenario(runs, "fretting")
     snapshot = state_with_slip(runs[0], which) if len(runs) == 1 else None
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
-    return stick_slip_maps(runs[0], snapshot, cells=cells)
+    return stick_slip_maps(runs[0], snapshot, cells=cells, ax=ax)
 
 
 @of_runs
-def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool = False) -> Figure | None:
+def contact_heat(
+    runs: Sequence[Run], which: Which | None = None, *, cells: bool = False, ax: style.Target | None = None
+) -> Figure | None:
     """Energy of a single run that friction has dissipated per area since the start, with the sticking area.
 
     Returns None for several runs, and if the state has no heat of friction.
@@ -153,6 +162,7 @@ def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool
         runs: one.
         which: number of a stored step; "aligned", the first turn; "final"; or None, the last turn that is stored.
         cells: show each cell as a rectangle of one colour.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     require_scenario(runs, "fretting")
     if len(runs) > 1:
@@ -160,7 +170,7 @@ def contact_heat(runs: Sequence[Run], which: Which | None = None, *, cells: bool
     snapshot = state_with_slip(runs[0], _last_turn(runs[0]) if which is None else which)
     if snapshot is None or not has_friction_heat(snapshot):
         return None
-    return friction_heat_map(runs[0], snapshot, cells=cells)
+    return friction_heat_map(runs[0], snapshot, cells=cells, ax=ax)
 
 
 def _last_turn(run: Run) -> Which:
@@ -172,7 +182,7 @@ def _last_turn(run: Run) -> Which:
 
 
 @of_runs
-def contact_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
+def contact_profiles(runs: Sequence[Run], which: Which = "aligned", *, ax: style.Target | None = None) -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 
     Returns None if no state has a shear.
@@ -180,10 +190,11 @@ def contact_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | 
     Args:
         runs: one or several.
         which: number of a stored step; "aligned", the first turn; or "final".
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     states = [(entry.run, state_with_slip(entry.run, which), entry.look) for entry in entries(runs, "fretting")]
     loaded = [(run, snapshot, look) for run, snapshot, look in states if snapshot is not None]
-    return stick_slip_profiles(loaded) if loaded else None
+    return stick_slip_profiles(loaded, ax=ax) if loaded else None
 
 
 _OF_CYCLES: tuple[tuple[str, str, str, str], ...] = (
@@ -199,11 +210,15 @@ _OF_CYCLES: tuple[tuple[str, str, str, str], ...] = (
 
 @style.figure
 @of_runs
-def cycle_by_cycle(runs: Sequence[Run]) -> Figure | None:
+def cycle_by_cycle(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Heat of friction, plastic dissipation, largest force, slip amplitude, sticking share, plastic strain by cycle.
 
     Under an imposed force the largest displacement is drawn in place of the force. Returns None if no run has two
     cycles, because the numbers of a single cycle are in the summary.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "fretting")
     if all(len(entry.run.cycles) < 2 for entry in shown):
@@ -235,10 +250,14 @@ def _draw_by_cycle(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: 
 
 @style.figure
 @of_runs
-def fretting_course(runs: Sequence[Run]) -> Figure:
+def fretting_course(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
     """Displacement, force between the limits of friction, energies, and approach or load over the steps.
 
     The load is drawn in place of an imposed approach.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "fretting")
     imposed = all(entry.run.case("fretting", "approach") is not None for entry in shown)

@@ -35,7 +35,7 @@ def has_friction_heat(snapshot: Snapshot) -> bool:
 
 @style.figure
 @of_state
-def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Energy that friction has dissipated per area, with the edges of the contact and of the sticking area.
 
     The energy counts from the start; in rolling, from when each place came under the contact. In plane strain the
@@ -45,6 +45,7 @@ def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False) -> F
         run: the run of the state, for friction and direction.
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state, or no heat of friction is stored.

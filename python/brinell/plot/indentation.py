@@ -98,10 +98,14 @@ def _hertz_line(runs: Sequence[Run], load: float) -> _Line | None:
 
 @style.figure
 @of_runs
-def load_depth(runs: Sequence[Run]) -> Figure:
+def load_depth(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
     """Load over approach in loading and unloading of all cycles; elastic spheres or cylinders are dashed.
 
     If first yield exists and is the same for all runs, second axes show both normalised by it.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "indentation")
     lines = [line for entry in shown for line in _load_lines(entry, alone=len(shown) == 1)]
@@ -168,10 +172,14 @@ def _reach(x: FloatArray, height: FloatArray) -> tuple[float, float]:
 
 @style.figure
 @of_runs
-def imprint(runs: Sequence[Run]) -> Figure | None:
+def imprint(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Residual surface of the lower body along x and y through the first place; below, its pile-up enlarged.
 
     Returns None if no lower body has yielded.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     imprints = _imprints(entries(runs, "indentation"))
     if not imprints:
@@ -218,10 +226,14 @@ def _cut(imprints: Sequence[_Imprint]) -> str:
 
 @style.figure
 @of_runs
-def contact_pressure(runs: Sequence[Run]) -> Figure | None:
+def contact_pressure(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Contact pressure along x' and y' through the middle of the contact, at the largest load that is stored.
 
     Returns None if no run has stored a loaded state.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     states = [(e, e.run.snapshot("aligned")) for e in entries(runs, "indentation") if e.run.steps]
     loaded = [(entry, snapshot) for entry, snapshot in states if snapshot.in_contact]

@@ -14,6 +14,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 
 from brinell.plot import style
+from brinell.plot.differences import labels_by_difference
 from brinell.results import Run, RunError
 from brinell.scenarios import Scenario
 
@@ -60,14 +61,16 @@ class HasRuns(Protocol):
 
 def of_runs(
     draw: Callable[Concatenate[Sequence[Run], _P], _R],
-) -> Callable[Concatenate[Run | Sequence[Run] | HasRuns, _P], _R]:
-    """Decorator with which a figure of several runs also accepts a single run, or a sweep with all its runs."""
+) -> Callable[Concatenate[Run | Iterable[Run] | Mapping[int, Run] | HasRuns, _P], _R]:
+    """Decorator with which a figure of several runs also accepts a single run, a sweep, or the runs of a sweep."""
 
     @functools.wraps(draw)
-    def drawn(runs: Run | Sequence[Run] | HasRuns, /, *args: _P.args, **options: _P.kwargs) -> _R:
+    def drawn(runs: Run | Iterable[Run] | Mapping[int, Run] | HasRuns, /, *args: _P.args, **options: _P.kwargs) -> _R:
         if isinstance(runs, Run):
             runs = [runs]
-        return draw(runs if isinstance(runs, Sequence) else list(runs.runs.values()), *args, **options)
+        elif not isinstance(runs, Iterable):  # a sweep
+            runs = runs.runs
+        return draw(list(runs.values() if isinstance(runs, Mapping) else runs), *args, **options)
 
     drawn.takes_one_run = True  # type: ignore[attr-defined]
     return drawn
@@ -112,10 +115,17 @@ def looks(labels: Sequence[str]) -> list[Look]:
 
 
 def _labels(runs: Sequence[Run]) -> list[str]:
-    """Titles if they distinguish the runs, else folders, else whole paths."""
-    for labels in ([run.title for run in runs], [run.path.name if run.memory is None else "" for run in runs]):
-        if all(labels) and len(set(labels)) == len(runs):
-            return labels
+    """Titles if they distinguish the runs, else what differs between the cases, else folders, else whole paths."""
+
+    def tell_apart(labels: Sequence[str]) -> bool:
+        return all(labels) and len(set(labels)) == len(runs)
+
+    if tell_apart(titles := [run.title for run in runs]):
+        return titles
+    if by_difference := labels_by_difference(runs):
+        return by_difference
+    if tell_apart(folders := [run.path.name if run.memory is None else "" for run in runs]):
+        return folders
     if any(run.memory is not None for run in runs):  # no folder: by their order
         return [f"{run.title or run.scenario} ({i})" for i, run in enumerate(runs, 1)]
     return [str(run.path) for run in runs]

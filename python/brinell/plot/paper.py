@@ -131,7 +131,11 @@ def _family_legend_row(ax: Axes, curves: Sequence[_Curve]) -> None:
     title = Line2D([], [], linestyle="none", label=f"{_FAMILY_TITLE}:")
     ax.axis("off")
     legend = ax.legend(
-        handles=[title, *reversed(family), elastic], ncol=len(family) + 2, loc="center", borderaxespad=0.0, fontsize=10
+        handles=[title, *reversed(family), elastic],
+        ncol=len(family) + 2,
+        loc="center",
+        borderaxespad=0.0,
+        fontsize=style.font(10),
     )
     legend.get_texts()[0].set_position((-16.0, 0.0))  # over the place of the handle it does not have
 
@@ -279,8 +283,13 @@ def _draw_residual_fraction(ax: Axes, curves: Sequence[_Curve]) -> None:
 
 @style.figure
 @of_runs
-def fig11(runs: Sequence[Run]) -> Figure:
-    """Tangential force F_X/P_c against X/R, one curve per run."""
+def fig11(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
+    """Tangential force F_X/P_c against X/R, one curve per run.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
+    """
     curves = _curves(runs)
     fig = style.new_figure(6.4, 3.9)
     ax = fig.subplots()
@@ -291,8 +300,13 @@ def fig11(runs: Sequence[Run]) -> Figure:
 
 @style.figure
 @of_runs
-def fig12(runs: Sequence[Run]) -> Figure:
-    """Normal force F_Z/P_c against X/R, one curve per run."""
+def fig12(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
+    """Normal force F_Z/P_c against X/R, one curve per run.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
+    """
     curves = _curves(runs)
     fig = style.new_figure(6.4, 3.9)
     ax = fig.subplots()
@@ -303,10 +317,14 @@ def fig12(runs: Sequence[Run]) -> Figure:
 
 @style.figure
 @of_runs
-def fig13(runs: Sequence[Run]) -> Figure:
+def fig13(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
     """Net energy over U_c against alpha*, one point per run, and the energy that the bodies store or dissipate.
 
     Both agree if the energy balance closes.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     curves = _curves(runs)
     fig = style.new_figure(5.2, 3.9)
@@ -316,8 +334,13 @@ def fig13(runs: Sequence[Run]) -> Figure:
 
 @style.figure
 @of_runs
-def fig14(runs: Sequence[Run]) -> Figure:
-    """Load ratio F_X/F_Z against X/R where the bodies touch, one curve per run."""
+def fig14(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
+    """Load ratio F_X/F_Z against X/R where the bodies touch, one curve per run.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
+    """
     curves = _curves(runs)
     fig = style.new_figure(6.4, 3.9)
     ax = fig.subplots()
@@ -328,8 +351,13 @@ def fig14(runs: Sequence[Run]) -> Figure:
 
 @style.figure
 @of_runs
-def fig15(runs: Sequence[Run]) -> Figure:
-    """Largest residual displacement after unloading against alpha*: over alpha_c, and over the interference."""
+def fig15(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
+    """Largest residual displacement after unloading against alpha*: over alpha_c, and over the interference.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
+    """
     curves = _curves(runs)
     fig = style.new_figure(8.4, 3.7)
     left, right = fig.subplots(1, 2)
@@ -342,8 +370,13 @@ def fig15(runs: Sequence[Run]) -> Figure:
 
 @style.figure
 @of_runs
-def overview(runs: Sequence[Run]) -> Figure:
-    """The five figures on one sheet, the second half of Fig. 15 as a panel of its own."""
+def overview(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
+    """The five figures on one sheet, the second half of Fig. 15 as a panel of its own.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
+    """
     curves = _curves(runs)
     fig = style.new_figure(12.0, 6.9)
     grid = fig.add_gridspec(3, 3, height_ratios=[0.05, 1.0, 1.0])

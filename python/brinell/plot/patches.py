@@ -27,11 +27,15 @@ FloatArray = NDArray[np.float64]
 
 @style.figure
 @of_runs
-def contact_patches(runs: Sequence[Run]) -> Figure | None:
+def contact_patches(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Over the sliding distance: number of patches, and area of the largest one (dotted: their mean).
 
     For a single run also the patches in the last stored state that slides, and the share of patches larger than an area
     in the first and last such state.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing has slid, or the results are from before patches were counted.

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre
+from brinell.plot.depth import most_strained
 from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
 from brinell.plot.overlay import (
     Entry,
@@ -33,7 +34,7 @@ from brinell.plot.overlay import (
 from brinell.plot.scales import PERCENT, Scale, si
 from brinell.plot.slip import stick_slip_maps, stick_slip_profiles
 from brinell.plot.tangential import state_with_slip
-from brinell.results import BodyFields, History, Run, Snapshot
+from brinell.results import BodyFields, History, Run, Snapshot, TrackProfile
 
 __all__ = [
     "along_track",
@@ -72,10 +73,14 @@ _FALLING = ("track_plastic_increment", "dissipation")  # towards shakedown: over
 
 @style.figure
 @of_runs
-def pass_by_pass(runs: Sequence[Run]) -> Figure | None:
+def pass_by_pass(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Rut, shoulders, resistance, plastic strain under the middle of the track, its growth, dissipation by pass.
 
     Growth and dissipation have a logarithmic axis if they fall by more than a factor of a hundred.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if no run has two passes: the summary tells the numbers of one.
@@ -114,16 +119,21 @@ def _draw_by_pass(ax: Axes, shown: Sequence[Entry], name: str, _: str, symbol: s
 
 @style.figure
 @of_runs
-def depth_profiles(runs: Sequence[Run]) -> Figure | None:
+def depth_profiles(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Residual stresses xx and yy and equivalent plastic strain over the depth under the middle of the track.
 
-    Returns None if no lower body has yielded.
+    A body that has not yielded there is drawn under its largest plastic strain, as of a contact that yields at its rim;
+    the legend names the place. Returns None if no lower body has yielded.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
-    shown = entries(runs, "rolling")
-    if not any(np.any(entry.run.profile.equivalent_plastic_strain) for entry in shown):
+    shown = [(*_yielded_profile(entry.run), entry) for entry in entries(runs, "rolling")]
+    if not any(np.any(profile.equivalent_plastic_strain) for profile, _, _ in shown):
         return None
-    depth = si(largest(e.run.profile.depth for e in shown), "m")
-    stress = si(largest(s for e in shown for s in (e.run.profile.residual_xx, e.run.profile.residual_yy)), "Pa")
+    depth = si(largest(profile.depth for profile, _, _ in shown), "m")
+    stress = si(largest(s for profile, _, _ in shown for s in (profile.residual_xx, profile.residual_yy)), "Pa")
     fig = style.new_figure(11.0, 3.3)
     panels = fig.subplots(1, 3, sharex=True)
     panels[1].sharey(panels[0])
@@ -134,16 +144,33 @@ def depth_profiles(runs: Sequence[Run]) -> Figure | None:
     )
     for ax, (name, title, symbol, scale), letter in zip(panels, quantities, "abc", strict=True):
         zero_line(ax)
-        for entry in shown:
-            one = entry.run.profile
+        for one, _, entry in shown:
             ax.plot(one.depth / depth.size, getattr(one, name) / scale.size, **entry.look, marker="o", markersize=2.5)
         ax.set_title(f"({letter})  {title}")
         ax.set_xlabel(depth.label("depth", "z"))
         ax.set_ylabel(scale.label("", symbol))
     panels[0].set_xlim(left=0.0)
     panels[2].set_ylim(bottom=0.0)
-    legend_beside(panels[2], [entry.look for entry in shown])
+    if len(shown) == 1 and shown[0][1]:
+        fig.suptitle(f"Under the largest plastic strain, {shown[0][1]}", fontsize=style.font(10))
+    named = [entry.look | {"label": ",  ".join(filter(None, (entry.label, place)))} for _, place, entry in shown]
+    legend_beside(panels[2], named)
     return fig
+
+
+def _yielded_profile(run: Run) -> tuple[TrackProfile, str]:
+    """Profile under the middle of the track; of a body that has yielded only elsewhere, there, with the place."""
+    profile = run.profile
+    if np.any(profile.equivalent_plastic_strain):
+        return profile, ""
+    body = run.snapshot("final", tensors=True).lower
+    if (place := most_strained(body)) is None:
+        return profile, ""
+    row, column = place
+    xx, yy = (np.asarray(body.stress[name][:, row, column]) for name in ("xx", "yy"))
+    strain = np.asarray(body.equivalent_plastic_strain[:, row, column])
+    where = f"$x$ = {style.length(float(body.x[column]))}, $y$ = {style.length(float(body.y[row]))}"
+    return TrackProfile(np.asarray(body.z), xx, yy, strain), where
 
 
 def _across(body: BodyFields) -> FloatArray:
@@ -153,10 +180,14 @@ def _across(body: BodyFields) -> FloatArray:
 
 @style.figure
 @of_runs
-def track_profile(runs: Sequence[Run]) -> Figure | None:
+def track_profile(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Residual surface of the lower body across the track at x = 0, after the last pass.
 
     Returns None if no lower body has yielded, and for plane strain, where nothing varies across the track.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
     deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and np.any(body.residual_displacement)]
@@ -211,11 +242,15 @@ def _first_and_last(entry: Entry) -> list[tuple[History, Look]]:
 
 @style.figure
 @of_runs
-def along_track(runs: Sequence[Run]) -> Figure:
+def along_track(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
     """Resistance F_X and approach along the track by pass; the load is drawn in place of an imposed approach.
 
     With sliding under a load the friction F_X/F_n is drawn in place of the resistance, with the area of contact. A
     single run shows all passes; of several runs the first and the last are drawn.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "rolling")
     lines = _along(shown)
@@ -292,10 +327,14 @@ def _distance_rolled(part: History) -> FloatArray:
 
 @style.figure
 @of_runs
-def creep_forces(runs: Sequence[Run]) -> Figure | None:
+def creep_forces(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Forces, moment and sticking share over the distance rolled in each pass, from rest to steady rolling.
 
     A force that is never more than a thousandth of friction times load has no panel. Returns None without creepage.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = [entry for entry in entries(runs, "rolling") if creeps(entry.run)]
     if not shown:
@@ -339,7 +378,9 @@ def _only_state(runs: Sequence[Run], which: Which) -> Snapshot | None:
 
 
 @of_runs
-def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+def creep_maps(
+    runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False, ax: style.Target | None = None
+) -> Figure | None:
     """Maps of the contact of a single run: pressure with shear as arrows, sticking area, shear and slip.
 
     Returns None for several runs, for plane strain, and without creepage.
@@ -348,16 +389,19 @@ def creep_maps(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
         runs: one.
         which: number of a stored step; "aligned", the middle of the last pass; or "final".
         cells: show each cell as a rectangle of one colour.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     require_scenario(runs, "rolling")
     snapshot = _only_state(runs, which)
     if snapshot is None or snapshot.contact.y.size == 1:
         return None
-    return stick_slip_maps(runs[0], snapshot, cells=cells)
+    return stick_slip_maps(runs[0], snapshot, cells=cells, ax=ax)
 
 
 @of_runs
-def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False) -> Figure | None:
+def creep_heat(
+    runs: Sequence[Run], which: Which = "aligned", *, cells: bool = False, ax: style.Target | None = None
+) -> Figure | None:
     """Energy that friction has dissipated per area since each place came under the contact, with the sticking area.
 
     Returns None for several runs, and without creepage.
@@ -366,16 +410,17 @@ def creep_heat(runs: Sequence[Run], which: Which = "aligned", *, cells: bool = F
         runs: one.
         which: number of a stored step; "aligned", the middle of the last pass; or "final".
         cells: show each cell as a rectangle of one colour.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     require_scenario(runs, "rolling")
     snapshot = _only_state(runs, which)
     if snapshot is None or not has_friction_heat(snapshot):
         return None
-    return friction_heat_map(runs[0], snapshot, cells=cells)
+    return friction_heat_map(runs[0], snapshot, cells=cells, ax=ax)
 
 
 @of_runs
-def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | None:
+def creep_profiles(runs: Sequence[Run], which: Which = "aligned", *, ax: style.Target | None = None) -> Figure | None:
     """Shear between the bounds of friction, and slip, along the motion through the middle of the contact.
 
     Returns None without creepage.
@@ -383,7 +428,8 @@ def creep_profiles(runs: Sequence[Run], which: Which = "aligned") -> Figure | No
     Args:
         runs: one or several.
         which: number of a stored step; "aligned", the middle of the last pass; or "final".
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     states = [(entry.run, _state(entry.run, which), entry.look) for entry in entries(runs, "rolling")]
     loaded = [(run, snapshot, look) for run, snapshot, look in states if snapshot is not None]
-    return stick_slip_profiles(loaded) if loaded else None
+    return stick_slip_profiles(loaded, ax=ax) if loaded else None

@@ -27,10 +27,14 @@ FloatArray = NDArray[np.float64]
 
 @style.figure
 @of_runs
-def surfaces_before_and_after(runs: Sequence[Run]) -> Figure | None:
+def surfaces_before_and_after(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Heights before the first load and at the end, and both bearing-area curves, with Sk, Spk and Svk.
 
     Of one run, a row for each body with a texture.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None of several runs, of a run that has not finished, or of smooth bodies.
@@ -103,7 +107,7 @@ def _draw_curves(ax: Axes, body: BodyFields, before: FloatArray, after: FloatArr
     ax.set_xlabel("share of the area at that height or above")
     ax.set_ylabel(height.label("", "h"))
     ax.set_title("bearing-area curves")
-    ax.legend(fontsize=8)
+    ax.legend(fontsize=style.font(8))
 
 
 def _told(label: str, values: FloatArray, height: Scale) -> str:

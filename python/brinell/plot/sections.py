@@ -21,6 +21,7 @@ from brinell.plot.cuts import Cut, Panel, Window, contact_on, from_contact, pane
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import quantity_of
 from brinell.plot.scales import Scale, Scales
+from brinell.plot.sheets import enlarged, few_ticks
 from brinell.plot.states import Bodies, Side, both_sides, chosen_sides, of_state, state_title
 from brinell.results import ContactFields, Run, Snapshot
 from brinell.scenarios import SCENARIOS
@@ -30,6 +31,8 @@ __all__ = ["across_label", "draw_contact", "draw_outline", "draw_panel", "name_c
 
 _FLAT = 0.3
 """Height over width below which a colour bar finds no room beside the picture."""
+_LEAST_HEIGHT = 1.2
+"""Of a panel [inch]; a depth that would be lower is drawn enlarged."""
 
 
 @style.figure
@@ -42,6 +45,7 @@ def section(
     plane: Plane | str | tuple[str, float] = "y=0",
     bodies: Bodies = "both",
     cells: bool = False,
+    ax: style.Target | None = None,
 ) -> Figure:
     """Fields of the bodies on a plane, to scale.
 
@@ -57,6 +61,7 @@ def section(
         plane: "y=0", "x = 0.1 mm", ("z", 2e-5); see `planes.plane_of`.
         bodies: "both", "lower" or "upper".
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: a field is not stored, the plane lies outside the grids, or the body is rigid.
@@ -73,7 +78,9 @@ def section(
     draw = _level if cut.axis == "z" else _upright
     fig = draw(run, snapshot, panels, window, cut, interpolation)
     place = cut.label(from_contact=snapshot.in_contact and cut.axis == "x")
-    fig.suptitle(f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}:  {state_title(run, snapshot)}", fontsize=10)
+    fig.suptitle(
+        f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}:  {state_title(run, snapshot)}", fontsize=style.font(10)
+    )
     return fig
 
 
@@ -98,18 +105,23 @@ def _upright(
     stacked = window.shape < 0.7
     rows, columns = (len(panels), 1) if stacked else (1, len(panels))
     width = 5.5 if stacked else 4.0
-    height = width * window.shape + (1.3 if window.shape < _FLAT else 0.4)
+    to_scale = width * window.shape
+    panel_height = max(to_scale, _LEAST_HEIGHT)
+    height = panel_height + (1.3 if window.shape < _FLAT else 0.4)
     fig = style.new_figure(columns * (width + 1.1) + 0.8, rows * height + 0.8, to_scale=True)
     axes = np.atleast_1d(fig.subplots(rows, columns, sharex=True, sharey=True))
     for ax, panel in zip(axes, panels, strict=True):
         draw_panel(ax, panel, window, length.size, interpolation)
         upright_axes(ax, snapshot, panel, window, length.size)
+        if panel_height > to_scale:
+            few_ticks(ax, panel_height)
+            ax.set_aspect(panel_height / to_scale)
         if snapshot.in_contact:
             draw_contact(ax, snapshot.contact, plane, length.size)
     for ax in axes[-1:] if stacked else axes:
         ax.set_xlabel(across_label(length, plane, from_contact=snapshot.in_contact, bodies=bodies))
     for ax in axes if stacked else axes[:1]:
-        ax.set_ylabel(length.label("depth", "z", value=False))
+        ax.set_ylabel(enlarged(length.label("depth", "z", value=False), panel_height / to_scale))
     return fig
 
 

@@ -47,11 +47,15 @@ def _has_period(shown: Sequence[Entry]) -> bool:
 
 @style.figure
 @of_runs
-def along_way(runs: Sequence[Run]) -> Figure | None:
+def along_way(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Friction (dashed: by ploughing), contact, gap and plastic work since the start over the sliding distance.
 
     In a period the contact is its share of the period and the gap is the mean gap; otherwise area and approach are
     drawn.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing has slid.
@@ -110,10 +114,14 @@ def _draw_friction(ax: Axes, shown: Sequence[Entry], way: Scale) -> None:
 
 @style.figure
 @of_runs
-def stroke_by_stroke(runs: Sequence[Run]) -> Figure | None:
+def stroke_by_stroke(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | None:
     """Friction (dashed: by ploughing), contact, plastic work, and rms height of both surfaces by stroke.
 
     For several runs the heights are those of the lower surfaces.
+
+    Args:
+        runs: results, or a sweep.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if no run has two strokes: the summary tells the numbers of one.

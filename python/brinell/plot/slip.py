@@ -40,13 +40,14 @@ __all__ = ["stick_slip_maps", "stick_slip_profiles"]
 
 @style.figure
 @of_state
-def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Pressure with the shear as arrows, sticking and slipping area, magnitudes of shear and slip.
 
     Args:
         run: the run of the state, for friction and direction.
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state, or no shear is stored.
@@ -77,7 +78,7 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Fig
         ax.set_xlabel(length.label("", "x'"))
     for ax in axes[:, 0]:
         ax.set_ylabel(length.label("", "y'"))
-    fig.suptitle(f"Stick and slip:  {state_title(run, snapshot)}", x=0.01, ha="left", fontsize=10)
+    fig.suptitle(f"Stick and slip:  {state_title(run, snapshot)}", x=0.01, ha="left", fontsize=style.font(10))
     return fig
 
 
@@ -211,11 +212,12 @@ def _bilinear(contact: ContactFields, values: FloatArray, x: FloatArray, y: Floa
 
 
 @style.figure
-def stick_slip_profiles(states: Sequence[tuple[Run, Snapshot, Look]]) -> Figure:
+def stick_slip_profiles(states: Sequence[tuple[Run, Snapshot, Look]], *, ax: style.Target | None = None) -> Figure:
     """Shear along the motion between the bounds of friction, and the slip, through the middle of the contact.
 
     Args:
         states: the states to draw with their looks; the sticking area of a single state is shaded.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in one of them, or no shear is stored.

@@ -132,6 +132,9 @@ def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     yield Named("residual-section", caption, _end_of(snapshot), fields.section(run, snapshot))
     if any(np.any(stress) for body in (snapshot.lower, snapshot.upper) for stress in body.stress.values()):
         has_places = not _moves(run) and "x" in run.history
-        x, under = (float(run.history["x"][0]), "the first place") if has_places else (0.0, "the point x = y = 0")
+        first, under = (float(run.history["x"][0]), "the first place") if has_places else (0.0, "the point x = y = 0")
+        x, y = depth.usual_place(snapshot, first)
+        if (x, y) != (first, 0.0):
+            under = "the largest plastic strain"
         caption = f"{kind} and plastic strain over the depth under {under}{', under load' * snapshot.in_contact}."
-        yield Named("residual-depth", caption, _end_of(snapshot), depth.stress_over_depth(run, snapshot, x=x))
+        yield Named("residual-depth", caption, _end_of(snapshot), depth.stress_over_depth(run, snapshot, x=x, y=y))

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One look for all figures: fonts, colours, colour maps, notation of quantities.
 
+Settings of matplotlib that the caller has changed (`matplotlib.rcParams`, style sheets, matplotlibrc) go before this
+look; `figure.figsize` is then the size of every figure, and sizes of fonts follow `font.size`.
+
 Colours are safe for colour-blind readers: the palette of Okabe and Ito for the two bodies, perceptually uniform maps of
 matplotlib for fields and for families of curves.
 """
@@ -12,12 +15,15 @@ import functools
 import io
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar, cast
 
 import matplotlib
 import numpy as np
 from matplotlib.colors import Colormap, to_hex
 from matplotlib.figure import Figure
+
+from brinell.plot import placing
+from brinell.plot.placing import Target
 
 __all__ = [
     "CATEGORIES",
@@ -36,8 +42,10 @@ __all__ = [
     "STRESS_MAP",
     "TEMPERATURE_MAP",
     "UPPER",
+    "Target",
     "family_colours",
     "figure",
+    "font",
     "length",
     "look",
     "new_figure",
@@ -105,21 +113,49 @@ _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
 
+_FONT = 9.0
+"""Size of the letters of this look, to which its other sizes of fonts belong."""
+
+_OF_FONTS = tuple(key for key, value in _RC.items() if key.endswith(("size", "title_fontsize")) and value > _FONT - 1)
+"""Settings that are sizes of fonts."""
+
+
+def _is_changed(key: str) -> bool:
+    """Whether the caller has changed a setting of matplotlib."""
+    now: Any = matplotlib.rcParams
+    default: Any = matplotlib.rcParamsDefault
+    return bool(now[key] != default[key])
+
+
 @contextlib.contextmanager
 def look() -> Iterator[None]:
-    """Context in which matplotlib draws in this style, whatever the settings of the caller are."""
-    with matplotlib.rc_context(), matplotlib.rc_context(rc=matplotlib.rcParamsDefault):
-        matplotlib.rcParams.update(_RC)
+    """Context in which matplotlib draws in this style, except for settings that the caller has changed."""
+    settings = {key: value for key, value in _RC.items() if not _is_changed(key)}
+    if _is_changed("font.size"):
+        factor = matplotlib.rcParams["font.size"] / _FONT
+        settings |= {key: factor * _RC[key] for key in _OF_FONTS if key in settings}
+    if any(_is_changed(key) for key in ("font.family", *_FAMILIES)):
+        settings.pop("font.family", None)
+    with matplotlib.rc_context(rc=settings):
         yield
 
 
+_FAMILIES = ("font.sans-serif", "font.serif", "font.monospace")
+
+
+def font(size: float) -> float:
+    """A size of letters [pt] of this look, in proportion to the size that the caller has set."""
+    return size * float(matplotlib.rcParams["font.size"]) / _FONT
+
+
 def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Decorator that draws a figure within this style."""
+    """Decorator that draws a figure within this style, and into the axes that the caller gives by `ax`."""
 
     @functools.wraps(draw)
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
-        with look():
-            return draw(*args, **kwargs)
+        with look(), placing.draws_into(cast(Any, kwargs.pop("ax", None))):
+            drawn = draw(*args, **kwargs)
+        return cast(_R, drawn.root if isinstance(drawn, placing.Placed) else drawn)
 
     return wrapper
 
@@ -129,7 +165,7 @@ class _ShownFigure(Figure):
 
     def _repr_png_(self) -> bytes:
         image = io.BytesIO()
-        with matplotlib.rc_context(rc=_RC):
+        with look():
             self.savefig(image, format="png", dpi=_NOTEBOOK_DPI, metadata={"Software": None})
         return image.getvalue()
 
@@ -138,13 +174,18 @@ _NOTEBOOK_DPI = 100
 
 
 def new_figure(width: float, height: float, *, to_scale: bool = False) -> Figure:
-    """An empty figure that belongs to no window and no global list.
+    """An empty figure that belongs to no window and no global list, or the figure or axes that the caller gives.
 
     Args:
         width: [inch].
         height: [inch].
         to_scale: its axes have equal units along both directions, so their boxes cannot stretch to fill the sheet.
     """
+    given = placing.target()
+    if given is not None:
+        return cast(Figure, given)
+    if _is_changed("figure.figsize"):
+        width, height = matplotlib.rcParams["figure.figsize"]
     return _ShownFigure(figsize=(width, height), layout="compressed" if to_scale else "constrained")
 
 
@@ -167,7 +208,7 @@ def save(fig: Figure, folder: str | Path, name: str, formats: Sequence[str] = ("
     written = []
     for ending in formats:
         path = folder / f"{name}.{ending}"
-        with matplotlib.rc_context(rc=_RC):
+        with look():
             fig.savefig(path, metadata=metadata[ending])
         written.append(path)
     return written

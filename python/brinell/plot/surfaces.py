@@ -24,12 +24,13 @@ _MOST_POINTS = 1000
 
 
 @style.figure
-def surface(heightmap: HeightMap, *, title: str = "") -> Figure:
+def surface(heightmap: HeightMap, *, title: str = "", ax: style.Target | None = None) -> Figure:
     """The map, the power spectral density over the wavenumber, the distribution of heights, the bearing-area curve.
 
     Args:
         heightmap: what to draw; level it before if it lies askew.
         title: above it; empty: none.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         InputError: the map has too few points, or is flat.
@@ -38,7 +39,7 @@ def surface(heightmap: HeightMap, *, title: str = "") -> Figure:
         raise InputError("the surface is flat: there is nothing to draw")
     fig = style.new_figure(9.0, 7.2)
     if title:
-        fig.suptitle(title, x=0.01, ha="left", fontsize=11)
+        fig.suptitle(title, x=0.01, ha="left", fontsize=style.font(11))
     (map_axes, spectrum_axes), (distribution_axes, bearing_axes) = fig.subplots(2, 2)
     _map(fig, map_axes, heightmap)
     _spectrum(spectrum_axes, heightmap)

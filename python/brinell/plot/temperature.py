@@ -82,12 +82,16 @@ def _draw_course(ax: Axes, course: Course, column: str, scale: Scale, look: Mapp
 
 
 @style.figure
-def surface_temperatures(run: Run) -> Figure | None:
+def surface_temperatures(run: Run, *, ax: style.Target | None = None) -> Figure | None:
     """Largest temperature of each surface, and the heat that has entered each body, over a distance.
 
     The distance is the sliding coordinate for tugging, the sliding distance in several passes, otherwise the distance
     slid or rolled; steps of pressing and lifting off are left out. In fretting the cycles are counted instead. The heat
     of the plastic work in both bodies and that of a source from outside are drawn, too.
+
+    Args:
+        run: result to draw.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if no heat was computed.
@@ -131,13 +135,14 @@ def surface_temperatures(run: Run) -> Figure | None:
 
 @style.figure
 @of_state
-def temperature_section(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def temperature_section(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
     """Temperature of the bodies on the plane y = 0.
 
     Args:
         run: where the scales come from.
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: no temperature is stored.
@@ -176,7 +181,9 @@ def _surfaces(run: Run, snapshot: Snapshot) -> list[_Surface]:
 
 @style.figure
 @of_state
-def surface_temperature_maps(run: Run, snapshot: Snapshot, *, cells: bool = False) -> Figure:
+def surface_temperature_maps(
+    run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None
+) -> Figure:
     """Temperature of each surface and, while the bodies touch, the heat flux into it, with the edge of contact.
 
     The colours of a row mean the same for both bodies. The flux is negative where heat comes out of a body. A body that
@@ -186,6 +193,7 @@ def surface_temperature_maps(run: Run, snapshot: Snapshot, *, cells: bool = Fals
         run: where the scales come from.
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: no heat is stored in this state.
@@ -215,7 +223,7 @@ def surface_temperature_maps(run: Run, snapshot: Snapshot, *, cells: bool = Fals
         ax.label_outer()
     axes[0, 0].set_xlim(*window[0])
     axes[0, 0].set_ylim(*window[1])
-    fig.suptitle(title, x=0.01, ha="left", fontsize=10)
+    fig.suptitle(title, x=0.01, ha="left", fontsize=style.font(10))
     return fig
 
 
@@ -314,5 +322,5 @@ def _lines(snapshot: Snapshot, surfaces: Sequence[_Surface], length: Scale, titl
     warm.legend()
     taken.set_title("(b)  heat flux into each body")
     taken.set_ylabel(flux.label("", "q"))
-    fig.suptitle(title, x=0.01, ha="left", fontsize=10)
+    fig.suptitle(title, x=0.01, ha="left", fontsize=style.font(10))
     return fig

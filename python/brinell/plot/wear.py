@@ -32,10 +32,14 @@ def _worn(run: Run) -> list[tuple[str, BodyFields, FloatArray]]:
 
 
 @style.figure
-def worn_profiles(run: Run) -> Figure | None:
+def worn_profiles(run: Run, *, ax: style.Target | None = None) -> Figure | None:
     """The worn depth of each surface at the end, along and across the motion through its deepest place.
 
     In plane strain, where nothing varies across, along the motion only.
+
+    Args:
+        run: result to draw.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing is worn.
@@ -86,8 +90,12 @@ def _volume(largest: float) -> Scale:
 
 
 @style.figure
-def worn_course(run: Run) -> Figure | None:
+def worn_course(run: Run, *, ax: style.Target | None = None) -> Figure | None:
     """The volume that each body has lost, and its largest depth, over the distance.
+
+    Args:
+        run: result to draw.
+        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing is worn.

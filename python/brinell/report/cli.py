@@ -20,6 +20,12 @@ __all__ = ["report"]
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="File of the page; default: RUN/report.html.")
 @reports_errors
 def report(run: Path, output: Path | None) -> None:
-    """Write an HTML page on a run, which may be unfinished, that opens without a network."""
+    """Write an HTML page on a run, which may be unfinished, or on a sweep, that opens without a network."""
     matplotlib.use("Agg")
+    if (run / "sweep.json").is_file():
+        from brinell.report.sweep_page import write_sweep_report
+        from brinell.sweeps import open_sweep
+
+        click.echo(write_sweep_report(open_sweep(run), output or run / "report.html"))
+        return
     click.echo(write_report(open_run(run, allow_unfinished=True), output or folder_of(run) / "report.html"))

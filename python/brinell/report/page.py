@@ -19,14 +19,14 @@ from matplotlib.figure import Figure
 
 import brinell
 from brinell.plot import style
-from brinell.plot.standard import standard_figures
+from brinell.plot.standard import Named, standard_figures
 from brinell.report.findings import findings_of
 from brinell.report.inputs import inputs_of
 from brinell.report.numbers import accuracies_of, cost_of, energies_of, key_numbers
 from brinell.report.volumes import pictures_of
 from brinell.results import Run, Snapshot
 
-__all__ = ["write_report"]
+__all__ = ["Shown", "environment", "shown", "write_report"]
 
 _GROUPS: Mapping[str, str] = {
     "result": "Results",
@@ -40,7 +40,7 @@ _GROUPS: Mapping[str, str] = {
 
 
 @dataclass(frozen=True)
-class _Shown:
+class Shown:
     """A figure as part of the page."""
 
     name: str
@@ -63,13 +63,14 @@ def write_report(run: Run, path: str | Path) -> Path:
         RunError: a file of the run is damaged.
     """
     path = Path(path)
-    page = _environment().get_template("report.html.j2").render(**_content(run))
+    page = environment().get_template("report.html.j2").render(**_content(run))
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(page, encoding="utf-8")
     return path
 
 
-def _environment() -> Environment:
+def environment() -> Environment:
+    """Templates of pages."""
     environment = Environment(
         loader=PackageLoader("brinell.report"),
         autoescape=True,
@@ -140,12 +141,17 @@ def _states(run: Run) -> tuple[Snapshot | None, Snapshot | None]:
     return loaded, run.snapshot("final", tensors=True) if run.complete else None
 
 
-def _groups(run: Run) -> dict[str, list[_Shown]]:
+def _groups(run: Run) -> dict[str, list[Shown]]:
     """The figures under their headings, in the order of the headings."""
-    groups: dict[str, list[_Shown]] = {heading: [] for heading in _GROUPS.values()}
+    groups: dict[str, list[Shown]] = {heading: [] for heading in _GROUPS.values()}
     for named in standard_figures(run):
-        groups[_GROUPS[named.group]].append(_Shown(named.name, named.caption, _address(named.figure)))
-    return {heading: shown for heading, shown in groups.items() if shown}
+        groups[_GROUPS[named.group]].append(shown(named))
+    return {heading: figures for heading, figures in groups.items() if figures}
+
+
+def shown(named: Named) -> Shown:
+    """A figure as part of a page."""
+    return Shown(named.name, named.caption, _address(named.figure))
 
 
 def _address(figure: Figure) -> str:

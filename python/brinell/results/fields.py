@@ -74,7 +74,7 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
 
             if isinstance(steps, int):
                 return at(steps)
-            shape = tuple(len(axis) for axis in inside if isinstance(axis, range))
+            shape = tuple(len(axis) for axis in inside if not isinstance(axis, int))
             return np.array([at(step) for step in steps]).reshape(len(steps), *shape)
 
     all_coords: dict[str, NDArray[Any]] = {"step": np.array(list(states)), **coords}
@@ -110,20 +110,27 @@ def _coords(state: h5py.Group, body: str, name: str, data: h5py.Dataset) -> Mapp
 
 
 def _selected(data: Any, taken: tuple[Axis, ...]) -> FloatArray:
-    """Part of a dataset; HDF5 reads only ascending slices, so descending ones are reversed after reading."""
-    shape = tuple(len(axis) for axis in taken if isinstance(axis, range))
+    """Part of a dataset; HDF5 reads only ascending slices, so others are selected from them after reading."""
+    shape = tuple(len(axis) for axis in taken if not isinstance(axis, int))
     if 0 in shape:
         return np.empty(shape)
     ascending: list[int | slice] = []
-    flips = []
+    after: list[slice | NDArray[np.int64]] = []
     for axis in taken:
         if isinstance(axis, int):
             ascending.append(axis)
             continue
-        first, last = sorted((axis[0], axis[-1]))
-        ascending.append(slice(first, last + 1, abs(axis.step)))
-        flips.append(slice(None, None, -1 if axis.step < 0 else 1))
-    return np.asarray(data[tuple(ascending)], dtype=np.float64)[tuple(flips)]
+        first, last = min(axis[0], axis[-1]) if isinstance(axis, range) else min(axis), max(axis)
+        if isinstance(axis, range):
+            ascending.append(slice(first, last + 1, abs(axis.step)))
+            after.append(slice(None, None, -1 if axis.step < 0 else 1))
+        else:
+            ascending.append(slice(first, last + 1))
+            after.append(np.array(axis) - first)
+    values = np.asarray(data[tuple(ascending)], dtype=np.float64)
+    for i, one in enumerate(after):
+        values = values[(slice(None),) * i + (one,)]
+    return values
 
 
 def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: Grid) -> h5py.Dataset | FloatArray:

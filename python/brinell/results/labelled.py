@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import operator
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +21,11 @@ if TYPE_CHECKING:
 
 __all__ = ["Labelled"]
 
-Axis = range | int
-"""Selection along an axis: a range of indices, or one index, which removes the axis."""
+Axis: TypeAlias = range | tuple[int, ...] | int
+"""Selection along an axis: a range of indices, single indices, or one index, which removes the axis."""
+
+Indices: TypeAlias = int | slice | Sequence[int] | NDArray[Any]
+"""Of `isel`: one, which removes the axis; a slice; several in any order; or a boolean for each entry of the axis."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +35,7 @@ class Labelled:
     Example:
         >>> stress = run.field("lower", "stress")                # step, component, z, y, x
         >>> stress.sel(step=12, component="xx", y=0.0, method="nearest").values  # [z][x]
+        >>> stress.isel(step=[0, -1]).sel(x=[-1e-5, 0.0, 1e-5], method="nearest").shape
 
     """
 
@@ -50,19 +55,19 @@ class Labelled:
     @property
     def dims(self) -> tuple[str, ...]:
         """Names of the axes, slowest first."""
-        return tuple(dim for dim, axis in zip(self.all_coords, self.taken, strict=True) if isinstance(axis, range))
+        return tuple(dim for dim, axis in zip(self.all_coords, self.taken, strict=True) if not isinstance(axis, int))
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Length of each axis."""
-        return tuple(len(axis) for axis in self.taken if isinstance(axis, range))
+        return tuple(len(axis) for axis in self.taken if not isinstance(axis, int))
 
     @cached_property
     def coords(self) -> Mapping[str, NDArray[Any]]:
         """Coordinates along each axis; for a removed axis the coordinate of the cut."""
         return MappingProxyType(
             {
-                dim: whole[np.asarray(axis)]
+                dim: whole[np.asarray(axis, dtype=np.int64)]
                 for (dim, whole), axis in zip(self.all_coords.items(), self.taken, strict=True)
             }
         )
@@ -79,57 +84,127 @@ class Labelled:
         axes = ", ".join(f"{dim}: {size}" for dim, size in zip(self.dims, self.shape, strict=True))
         return f"<{self.name} ({axes}) [{self.units}]>"
 
-    def isel(self, **indices: int | slice) -> Labelled:
-        """Selects a part by indices.
+    def isel(self, indexers: Mapping[str, Indices] | None = None, **indices: Indices) -> Labelled:
+        """Selects a part by indices, each axis by itself, as xarray does.
 
         Args:
-            indices: by axis, an index, which removes the axis, or a slice.
+            indexers: indices by axis; the same as the keywords.
+            indices: by axis, an index, which removes the axis, a slice, a list of indices, or booleans.
 
         Raises:
             InputError: there is no such axis or index.
         """
         taken = dict(zip(self.all_coords, self.taken, strict=True))
-        for dim, index in indices.items():
+        for dim, index in (dict(indexers or {}) | indices).items():
             axis = taken[self._checked(dim)]
-            assert isinstance(axis, range)
-            try:
-                taken[dim] = axis[index]
-            except IndexError as error:
-                raise InputError(f"{self.name}: {dim} has {len(axis)} entries, there is no index {index}") from error
+            assert not isinstance(axis, int)
+            taken[dim] = self._taken(dim, axis, index)
         return replace(self, taken=tuple(taken.values()))
 
-    def sel(self, *, method: str | None = None, **labels: float | str | slice) -> Labelled:
-        """Selects a part by coordinates.
+    def sel(self, labels: Mapping[str, Any] | None = None, *, method: str | None = None, **by_axis: Any) -> Labelled:
+        """Selects a part by coordinates, each axis by itself, as xarray does.
 
         Args:
+            labels: coordinates by axis; the same as the keywords.
             method: "nearest": the entry closest to a coordinate; None: the entry that is equal to it.
-            labels: by axis, a coordinate, which removes the axis, or a slice of coordinates, with both ends included.
+            by_axis: by axis, a coordinate, which removes the axis, a slice of coordinates, with both ends included, or
+                a list of coordinates.
 
         Raises:
             InputError: there is no such axis or coordinate.
         """
         if method not in (None, "nearest"):
             raise InputError(f"{self.name}: method = {method!r} is not known; allowed: None, 'nearest'")
-        return self.isel(**{dim: self._index(self._checked(dim), label, method) for dim, label in labels.items()})
+        wanted = dict(labels or {}) | by_axis
+        return self.isel({dim: self._index(self._checked(dim), label, method) for dim, label in wanted.items()})
+
+    def _taken(self, dim: str, axis: range | tuple[int, ...], index: Indices) -> Axis:
+        """The part of an axis that indices select."""
+        if isinstance(index, slice):
+            try:
+                return axis[index]
+            except TypeError:
+                raise self._no_index(dim, index) from None
+        if np.ndim(index) == 0:
+            return self._one(dim, axis, index)
+        array = np.asarray(index)
+        if array.dtype == bool:
+            if array.shape != (len(axis),):
+                raise InputError(
+                    f"{self.name}: {dim} has {len(axis)} entries, but {array.size} booleans are given for it"
+                )
+            array = np.flatnonzero(array)
+        if array.ndim != 1:
+            raise InputError(f"{self.name}: the indices of {dim} have {array.ndim} axes; allowed: a list with one axis")
+        return tuple(self._one(dim, axis, one) for one in array.tolist())
+
+    def _one(self, dim: str, axis: range | tuple[int, ...], index: Any) -> int:
+        try:
+            return axis[operator.index(index)]
+        except TypeError:
+            raise self._no_index(dim, index) from None
+        except IndexError as error:
+            raise InputError(f"{self.name}: {dim} has {len(axis)} entries, there is no index {index}") from error
+
+    def _no_index(self, dim: str, index: object) -> InputError:
+        return InputError(
+            f"{self.name}: {dim} = {index!r} is no index; allowed: an integer, a slice or a list of integers, or "
+            f"booleans; sel({dim}=...) selects by coordinates"
+        )
 
     def _checked(self, dim: str) -> str:
         if dim not in self.dims:
             raise InputError(f"{self.name}: has no axis {dim!r}; allowed: {listed(self.dims)}")
         return dim
 
-    def _index(self, dim: str, label: float | str | slice, method: str | None) -> int | slice:
-        coords = self.coords[dim]
+    def _index(self, dim: str, label: Any, method: str | None) -> Indices:
         if isinstance(label, slice):
-            first = 0 if label.start is None else int(np.searchsorted(coords, label.start, side="left"))
-            last = len(coords) if label.stop is None else int(np.searchsorted(coords, label.stop, side="right"))
-            return slice(first, last, label.step)
-        if method == "nearest" and not isinstance(label, str) and len(coords) > 0:
-            return int(np.argmin(np.abs(coords - label)))
-        found = np.flatnonzero(coords == label)
+            return self._between(dim, label)
+        if np.ndim(label) == 0:
+            return self._nearest(dim, label) if method == "nearest" else self._equal(dim, label)
+        one = self._nearest if method == "nearest" else self._equal
+        if np.ndim(label) != 1:
+            raise InputError(
+                f"{self.name}: the coordinates of {dim} have {np.ndim(label)} axes; allowed: a list with one"
+            )
+        return [one(dim, each) for each in (label.tolist() if isinstance(label, np.ndarray) else label)]
+
+    def _between(self, dim: str, ends: slice) -> slice:
+        coords = self.coords[dim]
+        if coords.dtype.kind == "U":  # components, in an order of their own
+            first = 0 if ends.start is None else self._equal(dim, ends.start)
+            last = len(coords) if ends.stop is None else self._equal(dim, ends.stop) + 1
+            return slice(first, last, ends.step)
+        try:
+            first = 0 if ends.start is None else int(np.searchsorted(coords, float(ends.start), side="left"))
+            last = len(coords) if ends.stop is None else int(np.searchsorted(coords, float(ends.stop), side="right"))
+        except (TypeError, ValueError):
+            raise self._no_coordinate(dim, ends) from None
+        return slice(first, last, ends.step)
+
+    def _nearest(self, dim: str, label: Any) -> int:
+        coords = self.coords[dim]
+        if isinstance(label, str) or coords.dtype.kind == "U" or len(coords) == 0:
+            return self._equal(dim, label)
+        try:
+            distance = np.abs(coords - float(label))
+        except (TypeError, ValueError):
+            raise self._no_coordinate(dim, label) from None
+        if not np.isfinite(distance).all():
+            raise self._no_coordinate(dim, label)
+        return int(np.argmin(distance))
+
+    def _equal(self, dim: str, label: Any) -> int:
+        found = np.flatnonzero(np.asarray(self.coords[dim] == label))
         if len(found) == 0:
-            known = listed(coords.tolist()) if len(coords) < 20 else f"{coords[0]} to {coords[-1]}, or method='nearest'"
-            raise InputError(f"{self.name}: {dim} = {label!r} is not there; allowed: {known}")
+            raise self._no_coordinate(dim, label)
         return int(found[0])
+
+    def _no_coordinate(self, dim: str, label: object) -> InputError:
+        coords = self.coords[dim]
+        near = "" if coords.dtype.kind == "U" else ", or method='nearest'"
+        known = listed(coords.tolist()) if len(coords) < 20 else f"{coords[0]} to {coords[-1]}{near}"
+        return InputError(f"{self.name}: {dim} = {label!r} is not there; allowed: {known}")
 
     def to_xarray(self) -> xarray.DataArray:
         """The selection as an xarray array, with units.

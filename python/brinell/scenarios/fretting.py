@@ -32,6 +32,7 @@ class Fretting(ScenarioCase):
         upper: Body,
         *,
         load: Quantity | None = None,
+        pressure: Quantity | None = None,
         approach: Quantity | None = None,
         displacement: Quantity | None = None,
         force: Quantity | None = None,
@@ -47,12 +48,13 @@ class Fretting(ScenarioCase):
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
     ):
-        """Makes a case; exactly one of load and approach, and one of displacement and force is given.
+        """Makes a case; exactly one of load, pressure and approach, and one of displacement and force is given.
 
         Args:
             lower: the body at rest.
             upper: the body that is pressed on the lower one and oscillates.
             load: normal load, which is applied first and then kept constant [N].
+            pressure: mean pressure over the period, instead of a load [Pa]; for a grid with boundary="periodic".
             approach: approach that is kept constant, instead of a load [m].
             displacement: amplitude of the displacement of distant points of the upper body relative to those of the
                 lower one [m]. Each cycle goes from the middle to the amplitude, to its negative and back to the middle.
@@ -74,6 +76,7 @@ class Fretting(ScenarioCase):
         """
         table = {
             "load": load,
+            "pressure": pressure,
             "approach": approach,
             "displacement": displacement,
             "force": force,

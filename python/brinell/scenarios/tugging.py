@@ -102,31 +102,32 @@ class TuggingResult(RunSummary):
     @property
     def lower_radius(self) -> float:
         """Radius R1 of the lower body in a tugging [m]."""
-        return self._number("geometry", "lower_radius_m")
+        return self._number_of("tugging", "lower_radius", "geometry", "lower_radius_m")
 
     @property
     def upper_radius(self) -> float:
         """Radius R2 of the upper body in a tugging [m]."""
-        return self._number("geometry", "upper_radius_m")
+        return self._number_of("tugging", "upper_radius", "geometry", "upper_radius_m")
 
     @property
     def interference(self) -> float:
         """Overlap in height of the undeformed bodies of a tugging at alignment [m]."""
-        return self._number("geometry", "interference_m")
+        return self._number_of("tugging", "interference", "geometry", "interference_m")
 
     @property
     def offset(self) -> float:
         """Distance along y of the upper centre from the lower one in a tugging [m]."""
-        return self._number("geometry", "offset_m")
+        return self._number_of("tugging", "offset", "geometry", "offset_m")
 
     @property
     def closest_interference(self) -> float:
         """Largest interference along the line of centres in a tugging [m]; less than `interference` with an offset."""
-        return self._number("geometry", "closest_interference_m")
+        return self._number_of("tugging", "closest_interference", "geometry", "closest_interference_m")
 
     @property
     def normalised_interference(self) -> float:
         """alpha* = alpha / alpha_c of a tugging [-]."""
+        self._require("tugging", "normalised_interference")
         return self.interference / self.critical.interference
 
 

@@ -9,7 +9,20 @@ from numpy.typing import ArrayLike
 from brinell import _core
 from brinell.errors import InputError
 
-_METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9, "pm": 1e-12, "Å": 1e-10}
+_METRES = {
+    "m": 1.0,
+    "cm": 1e-2,
+    "mm": 1e-3,
+    "um": 1e-6,
+    "µm": 1e-6,
+    "μm": 1e-6,
+    "nm": 1e-9,
+    "pm": 1e-12,
+    "Å": 1e-10,
+    "angstrom": 1e-10,
+    "in": 0.0254,
+    "inch": 0.0254,
+}
 
 
 def metres(unit: str) -> float:

@@ -5,7 +5,8 @@
     result.table.plot("tugging.interference", "energy.net_J")
 
 Modules: `axes` (varied keys), `designs` (points), `lists` (axes over entries of lists), `point` (one run in a worker),
-`pools` (processes or cluster), `folder` (files of a sweep), `driver` (the function `sweep`), `cli` (the command).
+`pools` (processes or cluster), `folder` (files of a sweep), `numbers`
+(further columns), `driver` (the function `sweep`), `cli` (the command).
 """
 
 from brinell.errors import MissingExtraError
@@ -20,5 +21,6 @@ except ModuleNotFoundError as error:
 from brinell.sweeps.axes import Axis, Choices, Range
 from brinell.sweeps.designs import Design
 from brinell.sweeps.driver import Sweep, open_sweep, sweep
+from brinell.sweeps.numbers import residual_stress
 
-__all__ = ["Axis", "Choices", "Design", "Range", "Sweep", "open_sweep", "sweep"]
+__all__ = ["Axis", "Choices", "Design", "Range", "Sweep", "open_sweep", "residual_stress", "sweep"]

@@ -66,6 +66,13 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     "--cluster", metavar="ADDRESS", help="Address or scheduler file of a Dask cluster on which the runs are computed."
 )
 @click.option("--retry-failed", is_flag=True, help="Repeat failed runs, also with other keys of grid and solver.")
+@click.option(
+    "--numbers",
+    multiple=True,
+    metavar="WHAT",
+    help="Further columns of the table: residual_stress, or FILE.py:FUNCTION, a function of a run that returns numbers "
+    "by their names.",
+)
 @click.option("--quiet", is_flag=True, help="Show no progress bar.")
 def command(
     case: Path,
@@ -79,6 +86,7 @@ def command(
     threads: int | None,
     cluster: str | None,
     retry_failed: bool,
+    numbers: tuple[str, ...],
     quiet: bool,
 ) -> None:
     """Compute a case for many values of some of its keys.
@@ -91,6 +99,7 @@ def command(
         signal.signal(signal.SIGHUP, signal.default_int_handler)
     try:
         from brinell.sweeps import sweep
+        from brinell.sweeps.numbers import function_of
 
         with reports_warnings():
             result = sweep(
@@ -105,6 +114,7 @@ def command(
                 cluster=cluster,
                 progress=not quiet,
                 retry_failed=retry_failed,
+                numbers=[function_of(text) for text in numbers],
             )
     except KeyboardInterrupt:
         _end(f"brinell: interrupted; what is done is in {output / 'table.csv'}, and the same command goes on", 130)

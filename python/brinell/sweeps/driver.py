@@ -9,7 +9,7 @@ import os
 import sys
 import warnings
 from collections import Counter, deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, as_completed, wait
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -24,8 +24,9 @@ from brinell.errors import InputError
 from brinell.results import Run, open_run
 from brinell.sweeps.axes import Axis, Choices, axis_of
 from brinell.sweeps.designs import Design, Point, points_of
-from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder
+from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder, write_table
 from brinell.sweeps.lists import table_of, with_whole_lists
+from brinell.sweeps.numbers import Numbers, functions_of, with_numbers
 from brinell.sweeps.point import Outcome, Task
 from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
 
@@ -67,6 +68,19 @@ class Sweep:
             for index, key in self.table.set_index("index")[name].dropna().items():
                 found.setdefault(key, []).append(int(index))
         return {key: sorted(indices) for key, indices in found.items()}
+
+    def with_numbers(self, *functions: Numbers) -> Sweep:
+        """This sweep with further columns in its table.
+
+        `sweep.with_numbers(brinell.sweeps.residual_stress, lambda run: {"loads": len(run.indents)}).table`
+
+        Args:
+            functions: functions of a finished run that return numbers by the names of their columns.
+
+        Raises:
+            InputError: a function fails or returns something else; the text names it and the run.
+        """
+        return Sweep(self.path, with_numbers(self.table, self.runs, functions_of(functions)))
 
     def __repr__(self) -> str:
         return f"<brinell.Sweep {str(self.path)!r}: {len(self.runs)} runs done, {len(self.failures)} failed>"
@@ -115,6 +129,7 @@ def sweep(
     progress: bool = True,
     resume: bool = True,
     retry_failed: bool = False,
+    numbers: Numbers | Iterable[Numbers] | None = None,
 ) -> Sweep:
     """Computes a case for many values of some of its keys.
 
@@ -143,6 +158,8 @@ def sweep(
         resume: resume the same sweep in the folder; False: an existing sweep in the folder is an error.
         retry_failed: compute failed runs again. The keys of grid and solver may then differ from before; they become
             columns of the table.
+        numbers: function of a finished run that returns numbers by the names of their columns, or several; they are
+            called when all runs have ended. `brinell.sweeps.residual_stress` is one.
 
     Returns:
         The table, with access to the runs.
@@ -156,6 +173,7 @@ def sweep(
         ResolutionWarning: runs have warnings: how many have which, see `Sweep.warnings`.
     """
     base = case if isinstance(case, Case) else Case.from_file(case)
+    functions = functions_of(numbers)
     axes = _axes(over)
     points = points_of(axes, design, samples, seed)
     texts = _case_texts(base, points)
@@ -189,7 +207,10 @@ def sweep(
         finally:
             if len(ledger) > 0:
                 ledger.write()
-    result = Sweep(path, ledger.table())
+        result = Sweep(path, ledger.table())
+        if functions:
+            result = result.with_numbers(*functions)
+            write_table(path, result.table)
     _tell_warnings(result)
     return result
 

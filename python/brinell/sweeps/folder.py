@@ -32,6 +32,7 @@ __all__ = [
     "run_folder",
     "start_folder",
     "without_formulas",
+    "write_table",
 ]
 
 FORMAT_VERSION = 1
@@ -299,8 +300,13 @@ class Ledger:
         frame = self.table()
         failures = json.dumps(self._failures, indent=2) + "\n"
         _replace(self._path / "failures.json", lambda part: part.write_text(failures, "utf-8"))
-        _replace(self._path / "table.csv", lambda part: without_formulas(frame).to_csv(part, index=False))
-        _replace(self._path / "table.parquet", lambda part: frame.to_parquet(part, index=False))
+        write_table(self._path, frame)
+
+
+def write_table(path: Path, frame: pd.DataFrame) -> None:
+    """Writes table.csv and table.parquet of a sweep."""
+    _replace(path / "table.csv", lambda part: without_formulas(frame).to_csv(part, index=False))
+    _replace(path / "table.parquet", lambda part: frame.to_parquet(part, index=False))
 
 
 def without_formulas(frame: pd.DataFrame) -> pd.DataFrame:

@@ -117,54 +117,90 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   return result;
 }
 
-/// Replaces hardening.file by the points that it contains.
-void load_curve(CaseValues& values, const CaseReader& reader, const std::string& table)
+/// The choice with the same index as the given word.
+template <typename Choice, std::size_t N>
+void read_choice(const CaseReader& reader, const std::string& key, const std::array<std::string_view, N>& words,
+                 Choice& choice)
 {
+  if (reader.has(key))
+    choice = static_cast<Choice>(std::find(words.begin(), words.end(), reader.get<std::string>(key)) - words.begin());
+}
+
+CurveRules curve_rules(const CaseReader& reader, const std::string& material)
+{
+  const std::string table = material + "hardening.";
+  CurveRules rules;
+  read_choice(reader, table + "strain_type", curve_words::strain, rules.strain);
+  read_choice(reader, table + "measure", curve_words::measure, rules.measure);
+  read_choice(reader, table + "test", curve_words::test, rules.test);
+  if (reader.has(table + "yield_from"))
+    read_choice(reader, table + "yield_from", curve_words::yield_from, rules.yield_from.emplace());
+  rules.offset = reader.get_or(table + "yield_offset", rules.offset);
+  read_choice(reader, table + "elastic_slope", curve_words::slope, rules.slope);
+  if (reader.has(material + "young_modulus"))
+    rules.young_modulus = reader.get<double>(material + "young_modulus");
+  rules.monotone = reader.get_or(table + "monotone", false);
+  return rules;
+}
+
+/// Replaces hardening.file by the hardening curve of the points that it contains.
+void load_curve(Case& c, const CaseReader& reader, const std::string& material)
+{
+  const std::string table = material + "hardening.";
   const auto word = [&](const char* key, std::string otherwise)
   { return reader.get_or(table + key, std::move(otherwise)); };
   if (reader.has(table + "stress"))
     reader.problems.add(reader.place(table + "stress"),
                         fmt::format("{0}stress cannot stand together with {0}file; keep one of them", table));
   const char* key = "stress_unit";
-  Curve curve;
+  HardeningCurve curve;
   try
   {
     const std::string stress_unit = word(key, "Pa");
     static_cast<void>(size_of_unit(stress_unit, dimension::pressure, "stress, such as \"MPa\""));
     key = "file";
-    curve = read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit);
+    const CurveRules rules = curve_rules(reader, material);
+    curve = hardening_curve(
+        read_curve(reader.raw.folder / word(key, ""), word("strain_unit", "1"), stress_unit, rules.strain), rules);
   }
   catch (const InputError& error) // names the whole file, which `shown` would shorten
   {
     reader.problems.add(reader.place(table + key),
                         fmt::format("{}{} = \"{}\" {}", table, key, word(key, ""), error.what()));
   }
-  values.replace(table + "file", {{table + "plastic_strain", std::move(curve.plastic_strain)},
-                                  {table + "stress", std::move(curve.stress)}});
+  const std::string source = fmt::format("{}file = \"{}\"", table, word("file", ""));
+  for (const Warning& warning : curve.warnings)
+    c.warnings.push_back({warning.key, fmt::format("{}: {}", source, warning.text)});
+  for (const std::string& note : curve.notes)
+    c.notes.push_back(fmt::format("{}: {}", source, note));
+  c.values.replace(table + "file", {{table + "plastic_strain", std::move(curve.plastic_strain)},
+                                    {table + "stress", std::move(curve.stress)}});
 }
 
 } // namespace
 
-void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
+void load_hardening_file(Case& c, const RawCase& raw, const std::string& body, Problems& problems)
 {
-  const std::string table = body + ".material.hardening.";
-  const CaseReader reader{values, raw, problems};
+  const std::string material = body + ".material.", table = material + "hardening.";
+  const CaseReader reader{c.values, raw, problems};
   const bool has_file = reader.has(table + "file");
   if (has_file)
-    load_curve(values, reader, table);
-  for (const char* unit : {"strain_unit", "stress_unit"}) // units of the file only: the resolved case is in SI
-    if (reader.has(table + unit))
+    load_curve(c, reader, material);
+  for (const char* key : {"strain_unit", "stress_unit", "strain_type", "measure", "test", "yield_from", "yield_offset",
+                          "elastic_slope"}) // about the file only: the resolved case has the hardening curve in SI
+    if (reader.has(table + key))
     {
       if (!has_file)
-        reader.add(table + unit, "is the unit of a file; it goes with {}file only", table);
-      values.replace(table + unit, {});
+        reader.add(table + key, "is {} of a file; it goes with {}file only",
+                   std::string_view(key).ends_with("_unit") ? "the unit" : "about the curve", table);
+      c.values.replace(table + key, {});
     }
   if (reader.get_or(table + "monotone", false) && reader.has(table + "stress"))
   {
     auto stress = reader.get<std::vector<double>>(table + "stress");
     for (std::size_t i = 1; i < stress.size(); ++i)
       stress[i] = std::max(stress[i], stress[i - 1]);
-    values.replace(table + "stress", {{table + "stress", std::move(stress)}});
+    c.values.replace(table + "stress", {{table + "stress", std::move(stress)}});
   }
 }
 

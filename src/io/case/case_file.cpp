@@ -65,7 +65,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   problems.throw_if_any();
   for (const char* body : {"lower", "upper"})
   {
-    load_hardening_file(result.values, raw, body, problems);
+    load_hardening_file(result, raw, body, problems);
     load_texture_files(result.values, raw, body, problems);
   }
   problems.throw_if_any();
@@ -87,6 +87,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   result.grid_source = grid ? at_place(grid->place, reader.cited(grid_key))
                             : at_place(raw.file, reader.cited(grid_key) + " (the default)");
   complete(reader, result);
+  warn_of_bare_numbers(reader, result);
   if (!problems.empty()) // warnings are listed too, since a forgotten unit may be the cause of the problems
     for (const Warning& warning : result.warnings)
       problems.add_cause(raw.file, "the reason may be: " + warning.text);

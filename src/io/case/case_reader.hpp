@@ -139,13 +139,16 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material,
                      Case& c);
 
+/// Warns of plain numbers, which are in SI, that were probably meant in N, mm and MPa. The other warnings must be there before.
+void warn_of_bare_numbers(const CaseReader& reader, Case& c);
+
 /// Reads the boundaries of a domain, and the period and number of cells of its periodic axes.
 /// @param both  whether the scenario can be computed with a periodic x axis, alone or together with y
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
 
 /// Replace hardening.file and each texture.file of a body by the content of these files, so that the resolved case needs no
-/// further files.
-void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
+/// further files. The case gets warnings and notes about a curve.
+void load_hardening_file(Case& c, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
 /// Completes the case of the scenario: checks that need more than the schema, equivalent radius, contact modulus, first yield and

@@ -26,11 +26,12 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
 {
   constexpr double softest = 1e5;   // [Pa], a gel
   constexpr double stiffest = 1e15; // [Pa], a thousand times diamond; far above it small numbers in the fields are lost
+  constexpr double stiffest_gigapascal = 1300.0; // diamond has 1100 GPa
   const double E = material.elastic.young_modulus;
   if (E < softest)
     warn(c, "soft_material",
-         "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} GPa\"?",
-         name, E, E);
+         "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} {}\"?", name,
+         E, E, E < stiffest_gigapascal ? "GPa" : "MPa");
   if (std::isfinite(E) && E > stiffest)
     warn(c, "stiff_material",
          "{}.material.young_modulus is {:.4g} Pa, stiffer than any solid (diamond has 1.1e12 Pa); is the unit right? "

@@ -200,8 +200,10 @@ simulation::Work work_of(const auto& scenario, const auto& plan)
 
 std::string check_report(const Case& c, const ScenarioPlan& plan)
 {
-  const std::string head =
-      fmt::format("# Resolved case of {}\n{}\n{}", c.file.string(), resolved_files(c.values).text, critical_report(c));
+  std::string head = fmt::format("# Resolved case of {}\n{}\n", c.file.string(), resolved_files(c.values).text);
+  for (const std::string& note : c.notes)
+    head += fmt::format("# {}\n", note);
+  head += critical_report(c);
   return head +
          std::visit(
              [&](const auto& scenario)

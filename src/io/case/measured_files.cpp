@@ -111,15 +111,16 @@ bool begins_like_a_number(const std::string& line)
 }
 
 /// Example of an allowed line, with 930 MPa at 0.2 %.
-std::string example(std::string_view strain_unit, std::string_view stress_unit)
+std::string example(std::string_view strain_unit, std::string_view stress_unit, CurveRules::Strain kind)
 {
   const double strain = strain_unit == "%" ? 0.2 : 0.002;
   const double stress = 930e6 / quantity(fmt::format("1 {}", stress_unit)).value;
   const std::string with_point = fmt::format("{:g}", strain);
   std::string with_comma = with_point;
   std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-  return fmt::format("plastic strain{} and stress in {}, as in \"{}, {:g}\" or, with decimal commas, \"{}; {:g}\"",
-                     strain_unit == "%" ? " in %" : "", stress_unit, with_point, stress, with_comma, stress);
+  return fmt::format("{} strain{} and stress in {}, as in \"{}, {:g}\" or, with decimal commas, \"{}; {:g}\"",
+                     curve_words::strain.at(static_cast<std::size_t>(kind)), strain_unit == "%" ? " in %" : "",
+                     stress_unit, with_point, stress, with_comma, stress);
 }
 
 /// Whether a word stands for a point that was not measured.
@@ -188,7 +189,8 @@ std::vector<std::vector<double>> rows_of(const std::vector<Line>& lines)
 
 } // namespace
 
-Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit, std::string_view stress_unit)
+Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit, std::string_view stress_unit,
+                 CurveRules::Strain kind)
 {
   Curve curve;
   for (const Line& line : lines_of(file))
@@ -203,12 +205,12 @@ Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit
       throw wrong_line(line,
                        columns.size() != 2 ? fmt::format(", {} columns", columns.size())
                                            : fmt::format(", where {} is not a number", columns[strain ? 1 : 0]),
-                       example(strain_unit, stress_unit));
-    curve.plastic_strain.push_back(*strain);
+                       example(strain_unit, stress_unit, kind));
+    curve.strain.push_back(*strain);
     curve.stress.push_back(*stress);
   }
   if (curve.stress.empty())
-    throw InputError("has no line of numbers; allowed: text, " + example(strain_unit, stress_unit));
+    throw InputError("has no line of numbers; allowed: text, " + example(strain_unit, stress_unit, kind));
   return curve;
 }
 

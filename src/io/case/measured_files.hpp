@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/io/case_file.hpp"
+#include "brinell/io/measured_curve.hpp"
 #include "brinell/io/units.hpp"
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-/// Reading of measured data from files. In text files, a line that begins with # is a comment. Numbers are separated by blanks,
+/// Reading of measured data from files, including read_curve() of measured_curve.hpp. In text files, a line that begins with # is a comment. Numbers are separated by blanks,
 /// tabs, semicolons or commas. If they are separated by something other than commas, a comma is a decimal comma; this is decided
 /// line by line for a curve, and once for a whole file of heights. Python reads files in the same way
 /// (brinell/surfaces/files.py).
@@ -17,18 +18,6 @@
 /// header)
 namespace brinell::io
 {
-
-/// Points of a measured hardening curve, in SI.
-struct Curve
-{
-  std::vector<double> plastic_strain, stress;
-};
-
-/// Reads a text file with one point per line, plastic strain and stress. Title lines may precede the points.
-/// @param strain_unit  "1" or "%"
-/// @param stress_unit  such as "MPa"
-[[nodiscard]] Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit,
-                               std::string_view stress_unit);
 
 /// Reads heights without converting units: from a .npy file, or from text with one row per line.
 [[nodiscard]] HeightTable read_heights(const std::filesystem::path& file);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/measured_curve.hpp"
 #include "schema_parts.hpp"
 
 namespace brinell::io
@@ -61,14 +62,11 @@ Entries curve_entries(const std::string& table)
           {.key = "file",
            .of = kind::text,
            .unset = "plastic_strain and stress",
-           .text = "Text file with one point per line: plastic strain and stress; the path is relative to the folder "
+           .text = "Text file with one point per line: strain and stress; the path is relative to the folder "
                    "of the case. Columns are separated by commas, semicolons, tabs or blanks; decimal commas are "
                    "allowed if columns are not separated by commas; the file may begin with title lines.",
            .excludes = "plastic_strain"},
-          {.key = "strain_unit",
-           .choices = {"1", "%"},
-           .unset = "1",
-           .text = "Unit of the plastic strain in the file."},
+          {.key = "strain_unit", .choices = {"1", "%"}, .unset = "1", .text = "Unit of the strain in the file."},
           {.key = "stress_unit",
            .of = kind::text,
            .unset = "Pa",
@@ -87,6 +85,47 @@ Entries curve_entries(const std::string& table)
            .fallback = false,
            .text =
                "Whether a stress below an earlier one, as in scattered measurements, is replaced by the earlier one."},
+      });
+}
+
+/// Keys that say what a measured curve is and how it becomes a hardening curve.
+Entries conversion_entries(const std::string& table)
+{
+  return in_table(
+      table, {table + "law", {"table"}},
+      {
+          {.key = "strain_type",
+           .choices = choices_of(curve_words::strain),
+           .unset = "plastic",
+           .text = "Whether the strains of the file are plastic strains, or total strains, from which the elastic part "
+                   "stress/E is subtracted. Unloading and repeated strains are left out of such a curve."},
+          {.key = "measure",
+           .choices = choices_of(curve_words::measure),
+           .unset = "true",
+           .text = "Whether the file has true strains and stresses, or engineering values (elongation over initial "
+                   "length, force over initial area), which are converted up to the largest force."},
+          {.key = "test",
+           .choices = choices_of(curve_words::test),
+           .unset = "automatic",
+           .text = "Test in which the file was measured. automatic: compression if strains and stresses are below 0, "
+                   "tension otherwise. Engineering values are converted accordingly."},
+          {.key = "yield_from",
+           .choices = choices_of(curve_words::yield_from),
+           .unset = "offset for total strains, first_point for plastic strains",
+           .text = "Where the material begins to yield. offset: at the stress at the plastic strain yield_offset, "
+                   "below which the curve is constant; fit: at plastic strain 0 of the law (Swift, Ludwik or Voce) "
+                   "that fits best beyond yield_offset; first_point: at the first point of the file."},
+          {.key = "yield_offset",
+           .of = kind::share.inside(0.0, 1.0),
+           .unset = "0.2 %",
+           .text = "Plastic strain of yield_from: at its stress the material yields (offset), or beyond it a law is "
+                   "fitted (fit)."},
+          {.key = "elastic_slope",
+           .choices = choices_of(curve_words::slope),
+           .unset = "young_modulus",
+           .text = "Modulus by which the elastic strain is computed: young_modulus of the material, or the slope of "
+                   "the elastic part of the curve, whose line also sets the zero of the strain. The latter takes off "
+                   "the compliance of a testing machine."},
       });
 }
 
@@ -267,7 +306,7 @@ std::vector<Entry> material_entries(const std::string& material)
 {
   const Condition yields{material + "hardening.law", names_of(law_options())};
   return joined({elastic_entries(material), hardening_entries(material + "hardening.", yields),
-                 curve_entries(material + "hardening."),
+                 curve_entries(material + "hardening."), conversion_entries(material + "hardening."),
                  back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
                  thermal_entries(material), softening_entries(material, yields)});
 }

@@ -86,6 +86,13 @@ Entry bound(Entry entry, First first, Rest... rest)
 /// The keys of a table; the condition applies to keys that have none of their own.
 [[nodiscard]] std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries);
 
+/// Choices from a table of words.
+template <std::size_t N>
+std::vector<std::string> choices_of(const std::array<std::string_view, N>& words)
+{
+  return {words.begin(), words.end()};
+}
+
 /// The keys of a group (Entry::one_of), in the order of the schema.
 [[nodiscard]] std::vector<std::string> keys_of_group(std::string_view group);
 /// "a, b and c"

@@ -22,14 +22,17 @@ namespace brinell::io
 namespace
 {
 
-/// A unit is 10^power of the SI unit of its dimension.
+/// A unit is factor 10^power of the SI unit of its dimension.
 struct Unit
 {
   std::string_view symbol;
   Dimension dimension;
   int power = 0;
   bool prefixed = true; ///< may carry a prefix
+  double factor = 1.0;  ///< other than 1 of units that are no power of ten of the SI unit
 };
+
+constexpr double kilogram_force = 9.80665; // [N], exact (CGPM 1901)
 
 constexpr std::array units{
     Unit{"m", {.length = 1}},
@@ -44,6 +47,12 @@ constexpr std::array units{
     Unit{"rad", {}}, // only per length; plain angles are read by `degrees`
     Unit{"Hz", {.time = -1}},
     Unit{"%", {}, -2, false},
+    Unit{"angstrom", {.length = 1}, -10, false},
+    Unit{"\u00c5", {.length = 1}, -10, false},
+    Unit{"in", {.length = 1}, 0, false, 0.0254},
+    Unit{"inch", {.length = 1}, 0, false, 0.0254},
+    Unit{"kgf", {.mass = 1, .length = 1, .time = -2}, 0, false, kilogram_force},
+    Unit{"HV", {.mass = 1, .length = -1, .time = -2}, 6, false, kilogram_force}, // kgf/mm^2 (ISO 6507)
 };
 
 struct Prefix
@@ -175,6 +184,7 @@ std::optional<Decimal> take_number(std::string_view& text)
 void multiply(Unit& product, const Unit& factor, int exponent)
 {
   product.power += factor.power * exponent;
+  product.factor *= std::pow(factor.factor, exponent);
   product.dimension.mass += factor.dimension.mass * exponent;
   product.dimension.length += factor.dimension.length * exponent;
   product.dimension.time += factor.dimension.time * exponent;
@@ -198,7 +208,7 @@ Unit unit_expression(std::string_view whole)
   {
     return InputError(fmt::format(
         "has the {} \"{}\"{}; known are m, g, s, K, N, Pa, bar, J, W, rad with the prefixes p n u c m k M G T, "
-        "as in \"mm\", \"GPa\", \"N/mm^2\"",
+        "and in, angstrom, kgf, HV, as in \"mm\", \"GPa\", \"N/mm^2\"",
         what, whole, hint));
   };
   static const Pattern factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
@@ -268,6 +278,7 @@ Quantity quantity(std::string_view text)
   const auto [end, error] = std::from_chars(decimal.data(), decimal.data() + decimal.size(), result.value);
   if (error != std::errc{} || end != decimal.data() + decimal.size())
     throw InputError("is too large or too small for a number");
+  result.value *= unit.factor; // 1 of nearly all units: their value is that of the decimal number
   return result;
 }
 

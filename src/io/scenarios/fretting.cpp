@@ -49,6 +49,9 @@ std::vector<Entry> fretting_keys()
       press("load", "approach", kind::force, Drive::Kind::load, "Load that is applied first and then kept."),
       press("approach", "load", kind::length, Drive::Kind::approach,
             "Approach of the bodies that is imposed first and then kept, instead of a load."),
+      drive_key("fretting.pressure", kind::pressure.above(0.0),
+                "Mean pressure over the period, instead of a load; with grid.boundary = \"periodic\".", fretting_press,
+                &FrettingCase::press, Drive::Kind::load),
       amplitude("displacement", "force", kind::length, FrettingCase::Kind::shift,
                 "Amplitude of the displacement of distant points of the upper body relative to those of the lower one; "
                 "each cycle goes from the middle to the amplitude, to its opposite and back to the middle. Up to the "
@@ -88,9 +91,15 @@ std::vector<Entry> fretting_keys()
   };
 }
 
-std::string read(const CaseReader& reader, Case& /*c*/, FrettingCase& /*f*/)
+std::string read(const CaseReader& reader, Case& /*c*/, FrettingCase& f)
 {
-  static_cast<void>(reader.only_one_of(fretting_press));
+  if (const std::string key = reader.only_one_of(fretting_press); key == "fretting.pressure")
+  {
+    if (f.domain.is_periodic())
+      f.press.value *= f.domain.x.size * f.domain.y.size;
+    else
+      reader.add(key, "is the mean over a period; allowed with grid.boundary = \"periodic\"; otherwise fretting.load");
+  }
   return reader.only_one_of(fretting_motion);
 }
 

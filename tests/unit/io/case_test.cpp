@@ -140,6 +140,9 @@ TEST(Case, WarnsOfAForgottenUnit)
   ASSERT_FALSE(c.warnings.empty());
   EXPECT_EQ(c.warnings[0].key, "soft_material");
   EXPECT_NE(c.warnings[0].text.find("\"200 GPa\""), std::string::npos) << c.warnings[0].text;
+  const Case in_mpa =
+      parsed({"upper.material.young_modulus=70000", "tugging.normalised=false", "tugging.interference=1 mm"});
+  EXPECT_NE(in_mpa.warnings.at(0).text.find("\"7e+04 MPa\""), std::string::npos) << in_mpa.warnings[0].text;
   EXPECT_TRUE(parsed().warnings.empty());
   const auto rolled = [](const char* pressure)
   {

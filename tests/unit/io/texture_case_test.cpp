@@ -253,7 +253,7 @@ TEST_F(HeightFile, HasAUnit)
   EXPECT_EQ(read("map.npy", npy_content(heights, 2)).heights, heights);
   expect_refused(refused("map.csv", "0 1\n", ", unit = \"GPa\""),
                  "unit = \"GPa\" is a unit of pressure; allowed: a unit of length");
-  expect_refused(refused("map.csv", "0 1\n", ", unit = \"inch\""), "has the unknown unit");
+  expect_refused(refused("map.csv", "0 1\n", ", unit = \"furlong\""), "has the unknown unit");
   expect_refused(
       refusal(R"(texture = {type = "height_map", heights = [0, 1], columns = 2, spacing = [1, 1], unit = "um"})"),
       "it goes with lower.texture.file only");

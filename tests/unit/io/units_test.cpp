@@ -54,6 +54,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Good{"12 um/m/K", 12e-6, dimension::expansion}, Good{"12 um/(m K)", 12e-6, dimension::expansion},
                     Good{"7850 kg/m^3", 7850.0, dimension::density}, Good{"3 ms", 3e-3, {.time = 1}}));
 
+TEST(Units, OfOldAndOtherCountriesHaveTheirExactFactors)
+{
+  EXPECT_EQ(quantity("1 in").value, 0.0254);
+  EXPECT_DOUBLE_EQ(quantity("0.375 inch").value, 0.009525); // a product of two numbers, rounded once
+  EXPECT_EQ(quantity("2 angstrom").value, 2e-10);
+  EXPECT_EQ(quantity("2 \u00c5").value, 2e-10);
+  EXPECT_DOUBLE_EQ(quantity("10 kgf").value, 98.0665);
+  EXPECT_DOUBLE_EQ(quantity("720 HV").value, 720.0 * 9.80665e6);
+  EXPECT_DOUBLE_EQ(quantity("720 kgf/mm^2").value, quantity("720 HV").value);
+  EXPECT_EQ(quantity("720 HV").dimension, dimension::pressure);
+  EXPECT_DOUBLE_EQ(quantity("3 in/s").value, 0.0762);
+  EXPECT_DOUBLE_EQ(quantity("2 in^2").value, 2.0 * 0.0254 * 0.0254);
+  EXPECT_THROW((void)quantity("3 kin"), InputError); // no prefixes, which might mean something else
+  EXPECT_THROW((void)quantity("3 min"), InputError);
+}
+
 TEST(Units, ATemperatureIsReadFromItsOwnZero)
 {
   EXPECT_EQ(degrees_celsius("20 degC"), 20.0);
