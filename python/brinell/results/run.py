@@ -128,8 +128,8 @@ class Run(OfScenarios):
             body: body on whose grid the field is.
             name: a field of `BodyFields`, or a component of a tensor such as "stress_xx"; for the lower body also a
                 field of `ContactFields`, such as "pressure", "gap" and, with stick and slip, "shear_x" or "slip_path".
-                Contact fields are given on the lower body's surface; outside the contact grid the gap is NaN and all
-                others are 0.
+                Contact fields are given on the lower body's surface, also if this body is rigid; outside the contact
+                grid the gap and the temperatures are NaN and all others are 0.
 
         Returns:
             Array with the axes step, component (of a tensor), z (of a volume), y, x. The final state has the number

@@ -25,6 +25,7 @@ __all__ = [
     "Snapshot",
     "TensorField",
     "component_of",
+    "counts_of",
     "row_of",
     "snapshot_of",
 ]
@@ -309,6 +310,27 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
         plastic_strain=components("plastic_strain"),
         stress=components("stress"),
     )
+
+
+def counts_of(state: h5py.Group, body: str) -> tuple[int, int, int]:
+    """Number of cells (nz, ny, nx) of a body's grid, also of a rigid body, which has no fields.
+
+    Raises:
+        KeyError, OSError, ValueError and others of h5py: the file is damaged.
+    """
+    group = state[body]
+    if "cells" in group.attrs:
+        nx, ny, nz = (int(count) for count in group.attrs["cells"])
+        return nz, ny, nx
+    stored = (group[name].shape for name in _SCALARS if name in group)
+    shape = max(stored, key=len, default=None) or _shape_in_paraview(state.file, body)
+    return (*(0,) * (3 - len(shape)), *shape)
+
+
+def _shape_in_paraview(file: h5py.File, body: str) -> tuple[int, ...]:
+    """Number of cells (ny, nx) on a body's surface, from the part for ParaView; older results have it only there."""
+    _, nx, _, ny, *_ = (int(last) + 1 for last in file[f"VTKHDF/{body}_surface"].attrs["WholeExtent"])
+    return ny, nx
 
 
 def _shape(volume: FloatArray | None, surface: FloatArray | None) -> tuple[int, int, int]:

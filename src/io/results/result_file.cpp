@@ -130,6 +130,7 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
   const std::array origin{body.x0, body.y0, 0.5 * grid.dz};
   h5::write_attribute(group, "spacing", spacing);
   h5::write_attribute(group, "origin", origin);
+  h5::write_attribute(group, "cells", std::array{grid.surface.nx, grid.surface.ny, grid.nz});
   h5::write_attribute(group, "contact_x", body.contact_x);
   const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
                           static_cast<std::size_t>(grid.surface.nx)};

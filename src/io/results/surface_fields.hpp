@@ -50,7 +50,7 @@ struct SurfaceField
   return {{
       {"residual_displacement", body.residual_displacement, "m", "residual displacement of the surface, into the body",
        unknown},
-      {"worn_depth", body.worn_depth, "m", "depth that the surface has lost by wear since the start", unknown},
+      {"worn_depth", body.worn_depth, "m", "depth that the surface has lost by wear since the start"},
       {"height", body.height, "m", "height of the surface as it is now, with its texture, out of the body", unknown},
   }};
 }

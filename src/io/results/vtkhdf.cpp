@@ -85,14 +85,20 @@ public:
   /// Function that returns the parts of an array for one state; they refer to datasets in its group.
   using Parts = std::function<std::vector<h5::VirtualPart>(const StateLayout&)>;
 
+  /// A surface of one row loses the axis of the rows: VTK reads an image of points along one axis from arrays of one axis.
   void add(const char* name, const Counts& shape, double fill, const Parts& parts_of)
   {
+    const bool is_one_row = shape.size() == 2 && shape[0] == 1;
     std::vector<h5::VirtualPart> parts;
     for (std::size_t step = 0; step < states_.size(); ++step)
       for (h5::VirtualPart& part : parts_of(states_[step].layout))
+      {
+        if (is_one_row)
+          part.target = {{part.target.start[1]}, {part.target.count[1]}};
         parts.push_back({at(part.target, step), states_[step].file, states_[step].group + "/" + part.dataset,
                          std::move(part.shape), std::move(part.source)});
-    Counts all = shape;
+      }
+    Counts all = is_one_row ? Counts{shape[1]} : shape;
     if (states_.size() > 1)
       all.insert(all.begin(), states_.size());
     h5::write_virtual_dataset(*data_, name, all, fill, parts);
@@ -187,26 +193,36 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
     block.add_field("temperature", Block::Kind::of_volume, which, unknown);
 }
 
-/// The cells of the contact that lie on the lower body's grid, as a part of the grid of `all`; none if the grids do not overlap.
-std::vector<h5::VirtualPart> contact_part(const char* name, const StateLayout& layout, const BodyLayout& all)
+/// The cells of the contact that lie on the lower body's grid, as parts of the grid of `all`; none if the grids do not overlap.
+/// Two parts where a period goes round.
+std::vector<h5::VirtualPart> contact_parts(const char* name, const StateLayout& layout, const BodyLayout& all)
 {
   const ContactLayout& c = layout.contact;
   const SurfaceGrid& lower = layout.lower.grid.surface;
-  const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
-  const int first_column = std::max(c.column, 0), last_column = std::min(c.column + c.nx, lower.nx);
-  if (first_row >= last_row || first_column >= last_column)
-    return {};
-  const auto box = [&](int row, int column)
-  {
-    return h5::Box{{static_cast<hsize_t>(first_row - row), static_cast<hsize_t>(first_column - column)},
-                   {static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)}};
-  };
-  h5::Box target = box(0, 0);
-  const auto [row, column] = offset(all, layout.lower);
-  target.start[0] += row;
-  target.start[1] += column;
+  const auto [row_of_lower, column_of_lower] = offset(all, layout.lower);
   const Counts shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
-  return {{target, "", fmt::format("contact/{}", name), shape, box(c.row, c.column)}};
+  std::vector<h5::VirtualPart> parts;
+  const auto add = [&](int column)
+  {
+    const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
+    const int first_column = std::max(column, 0), last_column = std::min(column + c.nx, lower.nx);
+    if (first_row >= last_row || first_column >= last_column)
+      return;
+    const Counts count{static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)};
+    const Counts target{row_of_lower + static_cast<hsize_t>(first_row),
+                        column_of_lower + static_cast<hsize_t>(first_column)};
+    const Counts source{static_cast<hsize_t>(first_row - c.row), static_cast<hsize_t>(first_column - column)};
+    parts.push_back({{target, count}, "", fmt::format("contact/{}", name), shape, {source, count}});
+  };
+  if (!c.goes_round)
+  {
+    add(c.column);
+    return parts;
+  }
+  const int column = (c.column % c.nx + c.nx) % c.nx;
+  add(column);
+  add(column - c.nx);
+  return parts;
 }
 
 /// Writes a surface as points at the centres of the cells, so that ParaView can warp it by its values.
@@ -223,7 +239,7 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
         [&](const SurfaceField& field)
         {
           block.add(field.name, counts(s), field.elsewhere,
-                    [&](const StateLayout& layout) { return contact_part(field.name, layout, body); });
+                    [&](const StateLayout& layout) { return contact_parts(field.name, layout, body); });
         });
 }
 
@@ -262,6 +278,7 @@ void ContactLayout::exchange(Archive& archive)
   archive("ny", ny);
   archive("column", column);
   archive("row", row);
+  archive("goes_round", goes_round);
   archive("fields", fields);
 }
 
@@ -287,6 +304,7 @@ StateLayout layout_of(const simulation::StepFields& fields)
                       .ny = grid.ny,
                       .column = static_cast<int>(std::lround(x / grid.dx)),
                       .row = static_cast<int>(std::lround(y / grid.dy)),
+                      .goes_round = grid.is_periodic_x(),
                       .fields = contact}};
 }
 

@@ -30,6 +30,7 @@ struct ContactLayout
 {
   int nx = 0, ny = 0;
   int column = 0, row = 0; ///< indices, in the lower body's grid, of the first column and row of the contact
+  bool goes_round = false; ///< the lower body's grid is a period along x with as many columns
   FieldsThere<simulation::Snapshot> fields;
 
   void exchange(Archive& archive);
