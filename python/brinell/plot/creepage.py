@@ -150,7 +150,10 @@ def _told(key: str, value: Any) -> str:
     body = f"{key.partition('.')[0]} " if key.startswith(("lower.", "upper.")) else ""
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
     unit = _UNITS.get(name)
-    text = str(value) if not is_number else style.quantity(value, unit) if unit and value else style.number(value)
+    if is_number:
+        text = style.quantity(value, unit) if unit and value else style.number(value)
+    else:
+        text = style.as_written(str(value))
     return f"{body}{name.replace('_', ' ')} {text}"
 
 
