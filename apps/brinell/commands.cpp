@@ -69,7 +69,10 @@ int run_command(const RunArguments& arguments)
   print_warnings(c, c.warnings);
   using Mode = io::ResultDirectory::Mode;
   const RunOptions options{arguments.directory.empty() ? default_folder(c) : std::filesystem::path(arguments.directory),
-                           arguments.resume ? Mode::resume : Mode::replace, arguments.threads};
+                           arguments.resume ? Mode::resume
+                           : arguments.keep ? Mode::keep
+                                            : Mode::replace,
+                           arguments.threads};
   const std::string folder = options.folder.string();
   const InterruptGuard guard;
   std::optional<Progress> progress;

@@ -55,7 +55,7 @@ if TYPE_CHECKING:
         Sphere,
         Vickers,
     )
-    from brinell.case import Case, CaseWarning, ResolutionWarning
+    from brinell.case import Case, CaseWarning, ReplacementWarning, ResolutionWarning
     from brinell.errors import (
         ArgumentError,
         BrinellError,
@@ -138,6 +138,7 @@ __all__ = [
     "Output",
     "Perfect",
     "RandomSurface",
+    "ReplacementWarning",
     "ResolutionWarning",
     "Rolling",
     "Run",
@@ -177,7 +178,7 @@ __all__ = [
 
 _MODULES = {
     "bodies": "Berkovich Body Bump Cone Cylinder Dent Ellipsoid Flat RandomSurface Sinusoid Sphere Vickers",
-    "case": "Case CaseWarning ResolutionWarning",
+    "case": "Case CaseWarning ReplacementWarning ResolutionWarning",
     "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
     "MissingExtraError",
     "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material Perfect SofteningTable Swift "

@@ -62,6 +62,13 @@ class Column:
 
 def columns() -> dict[str, list[Column]]: ...
 
+class Mode(enum.Enum):
+    replace = 0
+
+    keep = 1
+
+    resume = 2
+
 class Case:
     @property
     def name(self) -> str: ...
@@ -89,7 +96,7 @@ class Case:
 
     def check_report(self) -> str: ...
 
-    def run(self, folder: str | os.PathLike, resume: bool, threads: int, on_step: object | None) -> str: ...
+    def run(self, folder: str | os.PathLike, mode: Mode, threads: int, on_step: object | None, on_replaced: object | None) -> str: ...
 
     def run_in_memory(self, threads: int, on_step: object | None) -> bytes: ...
 

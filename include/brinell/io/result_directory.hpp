@@ -32,12 +32,14 @@ public:
   enum class Mode
   {
     replace, ///< an earlier result
+    keep,    ///< an earlier result: it is an error
     resume   ///< the run that was stopped there
   };
 
   /// Creates the folder, locks it for this process, removes an earlier result (its summary first) and writes the files that are
   /// known before the first step. With `resume` it keeps the steps up to the checkpoint instead, if there is one.
-  /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete
+  /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete, or if
+  ///         there is one and it is to be kept
   ResultDirectory(const std::filesystem::path& path, const Case& c, Mode mode = Mode::replace);
   ResultDirectory(ResultDirectory&&) noexcept;
   ResultDirectory& operator=(ResultDirectory&&) noexcept;

@@ -139,6 +139,12 @@ std::vector<std::string> foreign_files(const fs::path& folder)
 
 } // namespace
 
+bool has_earlier_result(const fs::path& folder)
+{
+  return !pieces_in(folder).empty() ||
+         std::ranges::any_of(known_files, [&](const Known& known) { return is_there(folder / known.name); });
+}
+
 bool remove_earlier_result(const fs::path& folder)
 {
   if (const auto foreign = foreign_files(folder); !foreign.empty())

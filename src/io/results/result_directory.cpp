@@ -164,7 +164,7 @@ struct ResultDirectory::State
   State(const fs::path& folder, const Case& c, Mode mode)
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
         lock(path), checkpoint(checkpoint_to_resume(path, c, mode)),
-        replaced(!checkpoint && remove_earlier_result(path) && mode == Mode::replace),
+        replaced(!checkpoint && removed_earlier_result(path, mode) && mode == Mode::replace),
         history(path / "history.csv", columns_of(c.scenario), checkpoint ? &*checkpoint : nullptr),
         result(path, c, history.columns(), checkpoint ? &*checkpoint : nullptr)
   {
@@ -174,6 +174,14 @@ struct ResultDirectory::State
   static std::optional<Archive::Fields> checkpoint_to_resume(const fs::path& folder, const Case& c, Mode mode)
   {
     return mode == Mode::resume ? resumable(folder, c) : std::nullopt;
+  }
+
+  static bool removed_earlier_result(const fs::path& folder, Mode mode)
+  {
+    if (mode == Mode::keep && has_earlier_result(folder))
+      throw InputError(
+          fmt::format("{}: holds an earlier result, which is to be kept; allowed: another folder", folder.string()));
+    return remove_earlier_result(folder);
   }
 
   fs::path path;
