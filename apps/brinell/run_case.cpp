@@ -132,6 +132,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
   info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
+  for (io::Warning& warning : io::result_warnings(c, plan))
+    info.quality.warnings.push_back(std::move(warning));
   if (const auto missing = io::missing_steps(c.snapshots, summary.last.step))
     info.quality.warnings.push_back(*missing);
   LevelReport report{{}, io::level_of(io::summary_text(c, plan, summary, info), before.cells), {}};

@@ -108,7 +108,8 @@ void bind_commands(nb::module_& m)
   nb::class_<io::Entry>(m, "SchemaKey")
       .def_ro("key", &io::Entry::key)
       .def_ro("choices", &io::Entry::choices)
-      .def_prop_ro("is_list", [](const io::Entry& e) { return e.of.type == io::Type::numbers; })
+      .def_prop_ro("is_list",
+                   [](const io::Entry& e) { return e.of.type == io::Type::numbers || e.of.type == io::Type::words; })
       .def_ro("text", &io::Entry::text);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
@@ -170,6 +171,8 @@ void bind_app(nb::module_& m)
       .def(
           "write_resolved",
           [](const io::Case& c, const std::filesystem::path& file) { io::write_resolved(file, c.values); }, "file"_a)
+      .def_prop_ro("result_bytes", [](const io::Case& c) { return io::result_bytes(c, io::plan_case(c)); })
+      .def_prop_ro("result_warnings", [](const io::Case& c) { return pairs(io::result_warnings(c, io::plan_case(c))); })
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
       .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none())

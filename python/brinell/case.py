@@ -210,6 +210,15 @@ class Case:
 
         return [RunWarning(key, text) for key, text in self._core.expected_warnings]
 
+    @property
+    def result_size(self) -> int:
+        """Size of the stored fields before compression, an estimate [bytes]; `output` of the case changes it.
+
+        Raises:
+            InputError: the grid does not fit this machine.
+        """
+        return round(self._core.result_bytes)
+
     def citations(self) -> list[str]:
         """References to cite: brinell and the papers behind the models of this case, one a line (``brinell cite``)."""
         return self._core.citation_lines()
@@ -268,6 +277,9 @@ class Case:
         if accuracy is not None:
             case = self.with_values({"solver.accuracy": accuracy})
             return case.run(output, progress=progress, threads=threads, resume=resume, replace=replace)
+        for key, text in self._core.result_warnings:
+            if key == "large_result":  # before it is written
+                warnings.warn(text, ResolutionWarning, stacklevel=level_of_caller())
         if in_memory:
             count = _thread_count(threads)
             try:
@@ -311,6 +323,7 @@ class Case:
     def _with_warnings_issued(self, run: Run) -> Run:
         """Issues the warnings of a run, except those of the case, which were issued when it was read."""
         already_issued = {text for _, text in self._core.warnings}
+        already_issued |= {text for key, text in self._core.result_warnings if key == "large_result"}
         for warning in run.warnings:
             if warning.text not in already_issued:
                 warnings.warn(warning.text, ResolutionWarning, stacklevel=level_of_caller())

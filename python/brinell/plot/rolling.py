@@ -159,7 +159,7 @@ def track_profile(runs: Sequence[Run]) -> Figure | None:
     Returns None if no lower body has yielded, and for plane strain, where nothing varies across the track.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
-    deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and np.any(body.residual_displacement)]
+    deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and body.is_dented]
     if not deformed:
         return None
     height = si(largest(_across(body) for _, body in deformed), "m")

@@ -44,6 +44,8 @@ UNITS: Mapping[str, str] = {
             "size",
             "layer",
             "reference",
+            "region_x",
+            "region_y",
         ),
         "m",
     ),

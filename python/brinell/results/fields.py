@@ -46,7 +46,9 @@ def field_names(path: Source, body: Body) -> list[str]:
         group = file.group(next(iter(states.values())))
         with reports_damage(path, str(group.name)):
             of_contact = [one for one in CONTACT_FIELDS if one in group["contact"]] if body == "lower" else []
-            return [*group[body], *of_contact]
+            # The last state, of which most is stored, has the fields of all states.
+            last = file.group(list(states.values())[-1])
+            return [*last[body], *of_contact]
 
 
 def labelled_field(path: Source, body: Body, name: str) -> Labelled:
@@ -147,12 +149,21 @@ def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: 
 
 
 def _part(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
+    if name not in state[body]:
+        return _unknown(taken)
     return _selected(_on_grid(state, body, name, state[body][name], grid), taken)
+
+
+def _unknown(taken: tuple[Axis, ...]) -> FloatArray:
+    """Values of a field that is not stored of a state."""
+    return np.full([len(axis) for axis in taken if isinstance(axis, range)], np.nan)
 
 
 def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
     component, inside = taken[0], taken[1:]
-    tensor = state[body][name]
+    tensor = state[body].get(name)
+    if tensor is None:
+        return _unknown(taken)
     if isinstance(component, int):
         return _selected(_on_grid(state, body, name, tensor[COMPONENTS[component]], grid), inside)
     return np.array([_selected(_on_grid(state, body, name, tensor[COMPONENTS[c]], grid), inside) for c in component])
@@ -168,12 +179,14 @@ def _part_of_contact(
 ) -> FloatArray:
     """Part of a contact field on the lower body's surface grid; see `Run.field` for the values outside the contact."""
     surface, contact = state[body], state["contact"]
+    if name not in contact:
+        return _unknown(taken)
     values = np.asarray(contact[name][()], dtype=np.float64)
     origin = contact.attrs["origin"] + [surface.attrs["contact_x"], 0.0]
     column, row = np.rint((origin - [grid[-1][0], grid[-2][0]]) / contact.attrs["spacing"]).astype(int)
     ny, nx = len(grid[-2]), len(grid[-1])
-    if goes_round and values.shape == (ny, nx):
-        return _selected(np.roll(values, column, axis=1), taken)
+    if goes_round:
+        values, column = np.roll(values, column, axis=1), 0
     whole = np.full((ny, nx), np.nan if name in _UNKNOWN_OUTSIDE else 0.0)
     to_row, to_column = max(row, 0), max(column, 0)
     inside = values[to_row - row : max(ny - row, 0), to_column - column : max(nx - column, 0)]

@@ -63,6 +63,7 @@ private:
 
   std::filesystem::path folder_;
   Description description_;
+  StoredParts parts_;
   const std::vector<HistoryColumn>& history_;
   std::vector<Piece> pieces_;
 };
