@@ -85,7 +85,7 @@ if TYPE_CHECKING:
     from brinell.results import Accuracy, Run, RunError, RunWarning
     from brinell.results import open_run as open
     from brinell.scenarios import Fretting, Indentation, Rolling, Sliding, Tugging
-    from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Solver, Wear
+    from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Point, Solver, Wear
     from brinell.stepping import Stepping
     from brinell.surfaces import HeightMap
     from brinell.sweeps import sweep
@@ -137,6 +137,7 @@ __all__ = [
     "MissingExtraError",
     "Output",
     "Perfect",
+    "Point",
     "RandomSurface",
     "ReplacementWarning",
     "ResolutionWarning",
@@ -185,7 +186,7 @@ _MODULES = {
     "SwiftMicrostrain Table Thermal Voce",
     "results": "Accuracy Run RunError RunWarning",
     "scenarios": "Fretting Indentation Rolling Sliding Tugging",
-    "settings": "Grid HeatSource Heating Interface Output Solver Wear",
+    "settings": "Grid HeatSource Heating Interface Output Point Solver Wear",
     "stepping": "Stepping",
     "surfaces": "HeightMap",
     "sweeps": "sweep",

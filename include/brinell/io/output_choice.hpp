@@ -45,6 +45,13 @@ struct StoredCells
   [[nodiscard]] bool is_everything() const { return !depth && !region_x && !region_y && stride == 1; }
 };
 
+/// A point within a body at which each step records stress and strain.
+struct HistoryPoint
+{
+  bool is_upper = false;
+  double x = 0.0, y = 0.0, depth = 0.0; ///< in the coordinates of the body [m]
+};
+
 /// As the case says; unset: what keeps the result small.
 struct OutputChoice
 {
@@ -52,6 +59,7 @@ struct OutputChoice
   StoredBodies bodies = StoredBodies::both;
   std::optional<Precision> precision;
   StoredCells cells;
+  std::vector<HistoryPoint> points;
 };
 
 /// What a run stores.

@@ -58,6 +58,9 @@ public:
   /// Stores the fields of a step, with the columns as attributes.
   /// @throws IoError
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  /// Stores a row of the history of a point; only if the case has points.
+  /// @throws IoError
+  void add_point(const std::vector<NamedNumber>& row);
   /// Stores a checkpoint after the last step in the history, replacing the previous one.
   /// @throws IoError
   void add_checkpoint(const std::function<void(Archive&)>& state);

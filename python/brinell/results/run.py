@@ -17,6 +17,7 @@ from brinell.results.errors import RunError
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.labelled import Labelled
 from brinell.results.patches import patches_of
+from brinell.results.points import PointHistory, point_histories
 from brinell.results.result_file import FILE_NAME, ResultFile, Source
 from brinell.results.snapshots import Snapshot
 from brinell.scenarios import OfScenarios
@@ -106,6 +107,11 @@ class Run(OfScenarios):
         """References to cite: brinell and the papers behind the models of the case, as printed by ``brinell cite``."""
         with ResultFile(self.file) as file:
             return (file.text("sources") or "").splitlines()
+
+    @cached_property
+    def points(self) -> list[PointHistory]:
+        """Histories of the points that `output.points` of the case names, in their order; one value for each step."""
+        return point_histories(self.path, self.file)
 
     @property
     def steps(self) -> list[int]:

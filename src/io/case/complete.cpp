@@ -283,6 +283,29 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
       warn_of_keys_without_heat(reader, c, fmt::format("{}.{}", io_of(scenario).name, io_of(scenario).speed));
 }
 
+/// Reads the points whose histories are recorded.
+template <typename ScenarioCase>
+void read_points(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
+{
+  for (const std::string& table : reader.raw.tables_of("output.points"))
+  {
+    const auto key = [&](const char* name) { return fmt::format("{}.{}", table, name); };
+    if (!reader.has(key("depth")))
+    {
+      if (reader.has(key("x")) || reader.has(key("y")) || reader.has(key("body")))
+        reader.missing(key("depth"), "a length >= 0, the depth of the point");
+      continue;
+    }
+    const bool is_upper = reader.get_or<std::string>(key("body"), "lower") == "upper";
+    if ((is_upper ? scenario.upper : scenario.lower).material.elastic.is_rigid())
+      reader.problems.add(reader.place(key("depth")), fmt::format("{} is a point of the {} body, which is rigid; "
+                                                                  "allowed: a body that deforms",
+                                                                  table, is_upper ? "upper" : "lower"));
+    c.output.points.push_back({is_upper, reader.get_or<double>(key("x"), 0.0), reader.get_or<double>(key("y"), 0.0),
+                               reader.get<double>(key("depth"))});
+  }
+}
+
 /// Checks the part of the cells that is stored.
 void check_stored_cells(const CaseReader& reader, const StoredCells& cells)
 {
@@ -301,6 +324,7 @@ void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario
   const std::string key = io.read(reader, c, scenario);
   warn_of_heat(reader, c, scenario);
   check_stored_cells(reader, c.output.cells);
+  read_points(reader, c, scenario);
   if (reader.problems.empty())
     at_its_key(reader, c, key, [&] { check_plan(reader, c, scenario); });
 }

@@ -157,6 +157,13 @@ std::vector<Entry> solver_entries()
   };
 }
 
+/// A key of a point whose history is recorded.
+Entry point(Entry entry)
+{
+  entry.list = "output.points";
+  return entry;
+}
+
 std::vector<Entry> output_entries()
 {
   std::string aligned;
@@ -216,6 +223,20 @@ std::vector<Entry> output_entries()
              .text = "Time between checkpoints, from which brinell run --resume can continue the run. A checkpoint is "
                      "also written when the run is interrupted."},
             &Case::checkpoint_interval),
+      point({.key = "output.points.body",
+             .choices = {"lower", "upper"},
+             .unset = "the lower one",
+             .text = "Body of a point at which each step records stress, plastic strain and temperature in the file "
+                     "points.csv; a table, or a list of tables."}),
+      point({.key = "output.points.x",
+             .of = kind::length,
+             .unset = "0",
+             .text = "x of the point on the surface of its body. The values are those of the cell around the point."}),
+      point({.key = "output.points.y", .of = kind::length, .unset = "0", .text = "y of the point."}),
+      point({.key = "output.points.depth",
+             .of = kind::length.at_least(0.0),
+             .unset = "there is no point",
+             .text = "Depth of the point below the surface."}),
   };
 }
 

@@ -33,6 +33,7 @@ struct Known
 constexpr Known known_files[] = {
     {.name = "summary.json", .within = "brinell-summary"},
     {.name = "history.csv", .begin = "step,pass,", .within = ",energy_residual,"},
+    {.name = "points.csv", .begin = "step,point,"},
     {.name = "result.vtkhdf", .begin = "\x89HDF", .within = result_mark},
     {.name = "resolved.toml", .begin = "scenario = ", .end = "\ncheckpoint_interval = "},
     {.name = checkpoint_file, .end = checkpoint_mark},

@@ -2,6 +2,7 @@
 #include "brinell/io/result_directory.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/point_history.hpp"
 #include "brinell/io/versions.hpp"
 #include "case_difference.hpp"
 #include "earlier_result.hpp"
@@ -168,6 +169,11 @@ struct ResultDirectory::State
         history(path / "history.csv", columns_of(c.scenario), checkpoint ? &*checkpoint : nullptr),
         result(path, c, history.columns(), checkpoint ? &*checkpoint : nullptr)
   {
+    if (!c.output.points.empty())
+    {
+      points.emplace(path / "points.csv", point_columns(), checkpoint ? &*checkpoint : nullptr, "points");
+      result.set_points(points->columns());
+    }
     write_resolved(path / "resolved.toml", c.values);
   }
 
@@ -189,6 +195,7 @@ struct ResultDirectory::State
   std::optional<Archive::Fields> checkpoint;
   bool replaced;
   HistoryWriter history;
+  std::optional<HistoryWriter> points;
   ResultFile result;
 };
 
@@ -225,12 +232,19 @@ void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, con
   state_->result.add_step(step, columns, fields);
 }
 
+void ResultDirectory::add_point(const std::vector<NamedNumber>& row)
+{
+  state_->points.value().add(row);
+}
+
 void ResultDirectory::add_checkpoint(const std::function<void(Archive&)>& state)
 {
   const auto with_results = [&](Archive& archive)
   {
     state(archive);
     archive("history", state_->history);
+    if (state_->points)
+      archive("points", *state_->points);
     archive("result", state_->result);
   };
   write_checkpoint(state_->path / checkpoint_file, with_results);

@@ -184,10 +184,12 @@ std::uintmax_t largest_size(const StepFields& fields)
   return numbers * sizeof(double) + around;
 }
 
-void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history, Place place)
+/// Writes a table as a group of columns.
+void write_table(const h5::Handle& file, const char* name_of_table, const std::vector<HistoryColumn>& history,
+                 Place place)
 {
   const h5::Storage storage = storage_of(place, h5::Storage::deflated);
-  const h5::Handle group = h5::create_ordered_group(file, "history");
+  const h5::Handle group = h5::create_ordered_group(file, name_of_table);
   for (const HistoryColumn& column : history)
   {
     if (column.values.empty())
@@ -203,8 +205,10 @@ void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& his
 }
 
 /// Writes the content of a result file other than the fields.
+/// @param points  histories of points; nullptr: there are none
 void write_description(const h5::Handle& file, const Description& description,
-                       const std::vector<HistoryColumn>& history, Place place = Place::disk)
+                       const std::vector<HistoryColumn>& history, const std::vector<HistoryColumn>* points,
+                       Place place = Place::disk)
 {
   const Versions versions = library_versions();
   h5::write_attribute(file, "format", "brinell-result");
@@ -218,7 +222,9 @@ void write_description(const h5::Handle& file, const Description& description,
   h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   h5::write_text(file, "case", description.case_text);
   h5::write_text(file, "sources", description.sources);
-  write_history(file, history, place);
+  write_table(file, "history", history, place);
+  if (points != nullptr)
+    write_table(file, "points", *points, place);
 }
 
 std::string group_of_step(int step)
@@ -315,7 +321,7 @@ void ResultFile::write_linked() const
 {
   constexpr std::size_t growth = 1 << 16; // small, because HDF5 clears the memory
   h5::Handle file = h5::create_file_in_memory(growth);
-  write_description(file, description_, history_,
+  write_description(file, description_, history_, points_,
                     Place::memory); // uncompressed, because compressing the history took most of the time
   std::vector<StoredState> states;
   {
@@ -354,7 +360,7 @@ void ResultFile::write_merged(const std::string& summary) const
   Replacement replacement(folder_ / file_name);
   replacement.require_room(size_of_pieces());
   h5::Handle file = h5::create_file(replacement.part());
-  write_description(file, description_, history_);
+  write_description(file, description_, history_, points_);
   h5::write_text(file, "summary", summary);
   std::vector<StoredState> states;
   {
@@ -393,7 +399,7 @@ struct ResultImage::State
 
   Description description;
   StoredParts parts;
-  std::vector<HistoryColumn> history{};
+  std::vector<HistoryColumn> history{}, points{};
   h5::Handle file = h5::create_file_in_memory();
 };
 
@@ -405,6 +411,11 @@ ResultImage& ResultImage::operator=(ResultImage&&) noexcept = default;
 void ResultImage::add(const std::vector<NamedNumber>& columns)
 {
   add_row(state_->history, columns);
+}
+
+void ResultImage::add_point(const std::vector<NamedNumber>& row)
+{
+  add_row(state_->points, row);
 }
 
 void ResultImage::add(int step, const std::vector<NamedNumber>& columns, const StepFields& fields)
@@ -419,7 +430,8 @@ void ResultImage::add_final(const StepFields& final_state, const std::vector<Nam
 
 void ResultImage::finish(const std::string& summary)
 {
-  write_description(state_->file, state_->description, state_->history, Place::memory);
+  write_description(state_->file, state_->description, state_->history,
+                    state_->points.empty() ? nullptr : &state_->points, Place::memory);
   h5::write_text(state_->file, "summary", summary);
 }
 
