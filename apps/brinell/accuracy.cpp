@@ -91,7 +91,8 @@ void remove_level(const fs::path& folder)
   std::error_code error;
   if (!fs::exists(folder / "resolved.toml"))
     return;
-  for (const char* name : {"summary.json", "history.csv", "result.vtkhdf", "checkpoint.h5", "resolved.toml"})
+  for (const char* name :
+       {"summary.json", "history.csv", "points.csv", "result.vtkhdf", "checkpoint.h5", "resolved.toml"})
     fs::remove(folder / name, error);
   io::remove_resolved_maps(folder);
   fs::remove(folder, error);

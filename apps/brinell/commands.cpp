@@ -26,12 +26,12 @@ void print_warnings(const io::Case& c, const std::vector<io::Warning>& warnings)
     fmt::print(stderr, "brinell: warning: {}: {}\n", c.file.string(), warning.text);
 }
 
-/// Prints the warnings about the result; those about the case were printed before the run.
-std::vector<io::Warning> new_warnings(const io::Case& c, const std::vector<io::Warning>& all)
+/// Warnings that have not been printed yet.
+std::vector<io::Warning> new_warnings(const std::vector<io::Warning>& printed, const std::vector<io::Warning>& all)
 {
   std::vector<io::Warning> warnings;
   for (const io::Warning& warning : all)
-    if (std::find(c.warnings.begin(), c.warnings.end(), warning) == c.warnings.end())
+    if (std::find(printed.begin(), printed.end(), warning) == printed.end())
       warnings.push_back(warning);
   return warnings;
 }
@@ -66,10 +66,16 @@ catch (const InputError& error)
 int run_command(const RunArguments& arguments)
 {
   const io::Case c = case_of(arguments);
-  print_warnings(c, c.warnings);
+  std::vector<io::Warning> printed = c.warnings;
+  for (io::Warning& warning : io::result_warnings(c, io::plan_case(c)))
+    printed.push_back(std::move(warning));
+  print_warnings(c, printed);
   using Mode = io::ResultDirectory::Mode;
   const RunOptions options{arguments.directory.empty() ? default_folder(c) : std::filesystem::path(arguments.directory),
-                           arguments.resume ? Mode::resume : Mode::replace, arguments.threads};
+                           arguments.resume ? Mode::resume
+                           : arguments.keep ? Mode::keep
+                                            : Mode::replace,
+                           arguments.threads};
   const std::string folder = options.folder.string();
   const InterruptGuard guard;
   std::optional<Progress> progress;
@@ -100,7 +106,7 @@ int run_command(const RunArguments& arguments)
     if (!arguments.quiet)
       fmt::print("{}results in {}\n", report.text, folder);
     std::fflush(stdout); // so that the warnings come last
-    print_warnings(c, new_warnings(c, report.warnings));
+    print_warnings(c, new_warnings(printed, report.warnings));
   }
   catch (const Interrupted&)
   {
@@ -125,7 +131,7 @@ int check_command(const CaseArguments& arguments)
   const io::Case c = io::read_case(arguments.file, arguments.overrides);
   print_warnings(c, c.warnings); // printed first, because they may explain why the plan fails
   const io::ScenarioPlan plan = io::plan_case(c);
-  print_warnings(c, new_warnings(c, io::expected_warnings(c, plan)));
+  print_warnings(c, new_warnings(c.warnings, io::expected_warnings(c, plan)));
   fmt::print("{}", io::check_report(c, plan));
   return exit_ok;
 }

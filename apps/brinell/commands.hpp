@@ -27,6 +27,7 @@ struct RunArguments
   int threads = 0;       ///< 0: as OpenMP decides
   bool quiet = false;
   bool resume = false; ///< continue from the last checkpoint
+  bool keep = false;   ///< do not replace an earlier result
 };
 
 struct SchemaArguments

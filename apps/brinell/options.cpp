@@ -52,7 +52,11 @@ void declare_run(CLI::App& app, RunArguments& arguments)
   run->add_option("--threads", arguments.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
-  run->add_flag("--resume", arguments.resume, "Continue a run of this case that was stopped in that folder");
+  CLI::Option* resume =
+      run->add_flag("--resume", arguments.resume, "Continue a run of this case that was stopped in that folder");
+  run->add_flag("--keep", arguments.keep,
+                "Stop with an error if that folder holds an earlier result; default: replace it")
+      ->excludes(resume);
   run->add_flag("-q,--quiet", arguments.quiet, "Print nothing but warnings and errors");
 }
 

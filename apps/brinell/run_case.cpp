@@ -4,6 +4,7 @@
 #include "accuracy.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/io/point_history.hpp"
 #include "brinell/io/result_image.hpp"
 #include "brinell/io/scenario_text.hpp"
 #include "brinell/io/snapshot_choice.hpp"
@@ -94,9 +95,19 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
     if (monitor.on_step)
       monitor.on_step(record.step, step_count, io::step_text(c, record), record.evaluations);
   };
-  observer.wants_snapshot = [&](const Record& record) { return choice(c.scenario, record); };
+  bool is_stored = false; // whether the fields of the step are
+  observer.wants_snapshot = [&](const Record& record)
+  {
+    is_stored = choice(c.scenario, record);
+    return is_stored || !c.output.points.empty();
+  };
   observer.on_snapshot = [&](const Record& record, const simulation::StepFields& fields)
-  { results.add(record.step, io::columns(record), fields); };
+  {
+    for (const auto& row : io::point_rows(c.output.points, record.step, fields))
+      results.add_point(row);
+    if (is_stored)
+      results.add(record.step, io::columns(record), fields);
+  };
   observer.wants_checkpoint = [&](const Record&)
   {
     return stop.after_step() || (Results::keeps_checkpoints && seconds_since(checkpoint_time) >= c.checkpoint_interval);
@@ -132,6 +143,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
   info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
+  for (io::Warning& warning : io::result_warnings(c, plan))
+    info.quality.warnings.push_back(std::move(warning));
   if (const auto missing = io::missing_steps(c.snapshots, summary.last.step))
     info.quality.warnings.push_back(*missing);
   LevelReport report{{}, io::level_of(io::summary_text(c, plan, summary, info), before.cells), {}};

@@ -37,13 +37,21 @@ namespace
 
 /// Runs without the interpreter's lock, but takes it to tell of a step and to hear of Ctrl-C.
 /// @param compute  takes the monitor
-std::string monitored(const nb::object& on_step, const std::function<std::string(const app::RunMonitor&)>& compute)
+/// @param on_replaced  called before the first step if an earlier result was removed; None: not called
+std::string monitored(const nb::object& on_step, const nb::object& on_replaced,
+                      const std::function<std::string(const app::RunMonitor&)>& compute)
 {
   PythonCalls python;
   app::RunMonitor monitor;
   if (!on_step.is_none())
     monitor.on_step = [&](int step, int count, const std::string& where, int evaluations)
     { python.call([&] { on_step(step, count, where, evaluations); }); };
+  if (!on_replaced.is_none())
+    monitor.on_start = [&](bool replaced, int)
+    {
+      if (replaced)
+        python.call([&] { on_replaced(); });
+    };
   monitor.wants_stop = [&] { return python.wants_stop(); };
   std::string result;
   try
@@ -58,19 +66,19 @@ std::string monitored(const nb::object& on_step, const std::function<std::string
   return result;
 }
 
-std::string run(const io::Case& c, const std::filesystem::path& folder, bool resume, int threads,
-                const nb::object& on_step)
+std::string run(const io::Case& c, const std::filesystem::path& folder, io::ResultDirectory::Mode mode, int threads,
+                const nb::object& on_step, const nb::object& on_replaced)
 {
-  using Mode = io::ResultDirectory::Mode;
-  const app::RunOptions options{folder, resume ? Mode::resume : Mode::replace, threads};
-  return monitored(on_step, [&](const app::RunMonitor& monitor) { return app::run_case(c, options, monitor).text; });
+  const app::RunOptions options{folder, mode, threads};
+  return monitored(on_step, on_replaced,
+                   [&](const app::RunMonitor& monitor) { return app::run_case(c, options, monitor).text; });
 }
 
 /// The bytes of a result file.
 nb::bytes run_in_memory(const io::Case& c, int threads, const nb::object& on_step)
 {
-  const std::string image =
-      monitored(on_step, [&](const app::RunMonitor& monitor) { return app::run_in_memory(c, threads, monitor); });
+  const std::string image = monitored(
+      on_step, nb::none(), [&](const app::RunMonitor& monitor) { return app::run_in_memory(c, threads, monitor); });
   return nb::bytes(image.data(), image.size());
 }
 
@@ -100,7 +108,8 @@ void bind_commands(nb::module_& m)
   nb::class_<io::Entry>(m, "SchemaKey")
       .def_ro("key", &io::Entry::key)
       .def_ro("choices", &io::Entry::choices)
-      .def_prop_ro("is_list", [](const io::Entry& e) { return e.of.type == io::Type::numbers; })
+      .def_prop_ro("is_list",
+                   [](const io::Entry& e) { return e.of.type == io::Type::numbers || e.of.type == io::Type::words; })
       .def_ro("text", &io::Entry::text);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
@@ -146,6 +155,10 @@ void bind_app(nb::module_& m)
 {
   bind_commands(m);
   bind_columns(m);
+  nb::enum_<io::ResultDirectory::Mode>(m, "Mode")
+      .value("replace", io::ResultDirectory::Mode::replace)
+      .value("keep", io::ResultDirectory::Mode::keep)
+      .value("resume", io::ResultDirectory::Mode::resume);
   nb::class_<io::Case>(m, "Case")
       .def_ro("name", &io::Case::name)
       .def_ro("title", &io::Case::title)
@@ -158,9 +171,11 @@ void bind_app(nb::module_& m)
       .def(
           "write_resolved",
           [](const io::Case& c, const std::filesystem::path& file) { io::write_resolved(file, c.values); }, "file"_a)
+      .def_prop_ro("result_bytes", [](const io::Case& c) { return io::result_bytes(c, io::plan_case(c)); })
+      .def_prop_ro("result_warnings", [](const io::Case& c) { return pairs(io::result_warnings(c, io::plan_case(c))); })
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
-      .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none())
+      .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none())
       .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(
       "parse_case",

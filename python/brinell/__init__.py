@@ -55,7 +55,7 @@ if TYPE_CHECKING:
         Sphere,
         Vickers,
     )
-    from brinell.case import Case, CaseWarning, ResolutionWarning
+    from brinell.case import Case, CaseWarning, ReplacementWarning, ResolutionWarning
     from brinell.errors import (
         ArgumentError,
         BrinellError,
@@ -86,7 +86,7 @@ if TYPE_CHECKING:
     from brinell.results import Accuracy, Run, RunError, RunWarning
     from brinell.results import open_run as open
     from brinell.scenarios import Fretting, Indentation, Rolling, Sliding, Tugging
-    from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Solver, Wear
+    from brinell.settings import Grid, Heating, HeatSource, Interface, Output, Point, Solver, Wear
     from brinell.stepping import Stepping
     from brinell.surfaces import HeightMap
     from brinell.sweeps import sweep
@@ -139,7 +139,9 @@ __all__ = [
     "MissingExtraError",
     "Output",
     "Perfect",
+    "Point",
     "RandomSurface",
+    "ReplacementWarning",
     "ResolutionWarning",
     "Rolling",
     "Run",
@@ -179,14 +181,14 @@ __all__ = [
 
 _MODULES = {
     "bodies": "Berkovich Body Bump Cone Cylinder Dent Ellipsoid Flat RandomSurface Sinusoid Sphere Vickers",
-    "case": "Case CaseWarning ResolutionWarning",
+    "case": "Case CaseWarning ReplacementWarning ResolutionWarning",
     "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
     "MissingExtraError",
     "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
     "SofteningTable Swift SwiftMicrostrain Table Thermal Voce",
     "results": "Accuracy Run RunError RunWarning",
     "scenarios": "Fretting Indentation Rolling Sliding Tugging",
-    "settings": "Grid HeatSource Heating Interface Output Solver Wear",
+    "settings": "Grid HeatSource Heating Interface Output Point Solver Wear",
     "stepping": "Stepping",
     "surfaces": "HeightMap",
     "sweeps": "sweep",

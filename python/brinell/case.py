@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import shutil
+import sys
 import tempfile
 import warnings
 import weakref
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
     from brinell.results import Run, RunWarning
 
-__all__ = ["Case", "CaseWarning", "HeightMaps", "Progress", "ResolutionWarning"]
+__all__ = ["Case", "CaseWarning", "HeightMaps", "Progress", "ReplacementWarning", "ResolutionWarning"]
 
 _T = TypeVar("_T")
 
@@ -40,6 +41,10 @@ run as text, and the number of evaluations of the step."""
 
 class CaseWarning(UserWarning):
     """A case can be computed but has a setting that should be checked."""
+
+
+class ReplacementWarning(UserWarning):
+    """A run replaces the earlier result in its folder, as nothing was said about it."""
 
 
 class ResolutionWarning(UserWarning):
@@ -205,6 +210,15 @@ class Case:
 
         return [RunWarning(key, text) for key, text in self._core.expected_warnings]
 
+    @property
+    def result_size(self) -> int:
+        """Size of the stored fields before compression, an estimate [bytes]; `output` of the case changes it.
+
+        Raises:
+            InputError: the grid does not fit this machine.
+        """
+        return round(self._core.result_bytes)
+
     def citations(self) -> list[str]:
         """References to cite: brinell and the papers behind the models of this case, one a line (``brinell cite``)."""
         return self._core.citation_lines()
@@ -213,9 +227,10 @@ class Case:
         self,
         output: str | Path | None = None,
         *,
-        progress: bool | Progress = False,
+        progress: bool | Progress | None = None,
         threads: int | None = None,
         resume: bool = False,
+        replace: bool | None = None,
         accuracy: float | str | None = None,
         in_memory: bool = False,
     ) -> Run:
@@ -226,11 +241,13 @@ class Case:
         was finished.
 
         Args:
-            output: folder of the results; an earlier result in it is replaced. None: a temporary folder, which is
-                deleted together with the returned object.
-            progress: True shows a progress bar; a function is called after each step.
+            output: folder of the results. None: a temporary folder, which is deleted together with the returned object.
+            progress: True shows a progress bar, also of a run in memory; False shows none; None shows one in a terminal
+                or notebook if the run takes longer than two seconds. A function is called after each step.
             threads: number of threads; None: as OpenMP decides.
             resume: resume a stopped run of this case in the folder `output`.
+            replace: whether an earlier result in the folder `output` is replaced. False: it is an error. None: it is
+                replaced with a `ReplacementWarning`.
             accuracy: largest accepted relative error of the key numbers, 0.01 or "1 %". The case is run with coarse
                 cells first, and with finer cells as long as needed; `Run.accuracy` has the error interval of each
                 number.
@@ -241,8 +258,9 @@ class Case:
             The results; with `accuracy`, those of the finest cells.
 
         Raises:
-            InputError: a grid does not fit or turned out to be too small, the folder to resume holds another case, or
-                in_memory is combined with output, resume or accuracy.
+            InputError: a grid does not fit or turned out to be too small, the folder to resume holds another case, the
+                folder holds a result that is to be kept, in_memory is combined with output, resume or accuracy, or
+                replace with resume or without a folder.
             ConvergenceError: a step did not converge; the steps before are in the folder.
             IoError: the results cannot be written.
         """
@@ -251,9 +269,17 @@ class Case:
         if in_memory and (output is not None or resume or accuracy is not None):
             rival = "a folder" if output is not None else "resume" if resume else "accuracy"
             raise InputError(f"run(in_memory=True) cannot stand together with {rival}; allowed: one of both")
+        if replace is not None and (output is None or resume):
+            where = "without a folder" if output is None else "together with resume"
+            raise InputError(
+                f"run(replace={replace}) has no effect {where}; allowed: with a folder in which a run begins"
+            )
         if accuracy is not None:
             case = self.with_values({"solver.accuracy": accuracy})
-            return case.run(output, progress=progress, threads=threads, resume=resume)
+            return case.run(output, progress=progress, threads=threads, resume=resume, replace=replace)
+        for key, text in self._core.result_warnings:
+            if key == "large_result":  # before it is written
+                warnings.warn(text, ResolutionWarning, stacklevel=level_of_caller())
         if in_memory:
             count = _thread_count(threads)
             try:
@@ -262,17 +288,19 @@ class Case:
                 raise KeyboardInterrupt("interrupted; nothing is kept of a run in memory") from None
             return self._with_warnings_issued(run_of_image(image))
         if output is not None:
-            self._compute(Path(output), progress, threads, resume)
+            mode = _core.Mode.resume if resume else _core.Mode.keep if replace is False else _core.Mode.replace
+            self._compute(Path(output), progress, threads, mode, warns=replace is None)
             return self._with_warnings_issued(open_run(output))
-        return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, resume))
+        mode = _core.Mode.resume if resume else _core.Mode.replace
+        return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, mode))
 
-    def _run_in_temporary_folder(self, progress: bool | Progress, threads: int | None, resume: bool) -> Run:
+    def _run_in_temporary_folder(self, progress: bool | Progress | None, threads: int | None, mode: _core.Mode) -> Run:
         """Runs the case in a temporary folder, deleted together with the result; finished steps survive Ctrl-C."""
         from brinell.results.opening import kept_results, open_run
 
         folder = Path(tempfile.mkdtemp(prefix="brinell-"))
         try:
-            self._compute(folder, progress, threads, resume)
+            self._compute(folder, progress, threads, mode)
             run = open_run(folder)
         except BaseException as error:
             if not (isinstance(error, KeyboardInterrupt) and kept_results(folder)):
@@ -295,24 +323,34 @@ class Case:
     def _with_warnings_issued(self, run: Run) -> Run:
         """Issues the warnings of a run, except those of the case, which were issued when it was read."""
         already_issued = {text for _, text in self._core.warnings}
+        already_issued |= {text for key, text in self._core.result_warnings if key == "large_result"}
         for warning in run.warnings:
             if warning.text not in already_issued:
                 warnings.warn(warning.text, ResolutionWarning, stacklevel=level_of_caller())
         return run
 
-    def _compute(self, folder: Path, progress: bool | Progress, threads: int | None, resume: bool) -> None:
+    def _compute(
+        self, folder: Path, progress: bool | Progress | None, threads: int | None, mode: _core.Mode, warns: bool = False
+    ) -> None:
         from brinell.results.opening import kept_results
 
+        def on_replaced() -> None:
+            text = f"the earlier result in {folder} is replaced; replace = True says so, replace = False keeps it"
+            warnings.warn(text, ReplacementWarning, stacklevel=level_of_caller())
+
+        def run(on_step: Progress | None) -> str:
+            return self._core.run(folder, mode, _thread_count(threads), on_step, on_replaced if warns else None)
+
         try:
-            self._with_progress(progress, partial(self._core.run, folder, resume, _thread_count(threads)))
+            self._with_progress(progress, run)
         except KeyboardInterrupt:
             raise KeyboardInterrupt(f"interrupted; {kept_results(folder) or 'nothing has been finished'}") from None
 
-    def _with_progress(self, progress: bool | Progress, run: Callable[[Progress | None], _T]) -> _T:
+    def _with_progress(self, progress: bool | Progress | None, run: Callable[[Progress | None], _T]) -> _T:
         """Calls `run` with the function that is to be called after each step: the user's, or that of a progress bar."""
-        if progress is not True:
+        if callable(progress) or progress is False or (progress is None and not _someone_looks()):
             return run(progress or None)
-        with tqdm(unit="step", desc=self.title or self.name) as bar:
+        with tqdm(unit="step", desc=self.title or self.name, delay=0.0 if progress else _PATIENCE) as bar:
 
             def show(step: int, count: int, where: str, _: int) -> None:
                 bar.total = max(count, step + 1)
@@ -323,6 +361,15 @@ class Case:
 
     def __repr__(self) -> str:
         return f"<brinell.{type(self).__name__} {self.scenario} {self.title or self.name!r}>"
+
+
+_PATIENCE = 2.0
+"""Time [s] after which a run shows its progress without being asked to."""
+
+
+def _someone_looks() -> bool:
+    """Whether this is a terminal or a notebook."""
+    return sys.stderr.isatty() or "ipykernel" in sys.modules
 
 
 def _thread_count(threads: int | None) -> int:

@@ -107,7 +107,7 @@ def _write_image(
 ) -> str:
     """Writes one image file and returns its name with the extension."""
     first = tuple(float(coords[axis][0]) if axis in coords else 0.0 for axis in "xyz")
-    spacing = tuple(float(np.ptp(coords[axis][:2])) if axis in coords else 1.0 for axis in "xyz")
+    spacing = _spacing(coords)
     shape = next(iter(arrays.values())).shape
     if "z" not in coords:
         return _write_vti(path, "Point", tuple(n - 1 for n in shape), first, spacing, arrays)
@@ -116,6 +116,13 @@ def _write_image(
         arrays = {name: np.asfortranarray(values[:, :, ::-1]) for name, values in arrays.items()}
         top = -shape[2] * spacing[2]
     return _write_vti(path, "Cell", shape, (left, front, top), spacing, arrays)
+
+
+def _spacing(coords: Mapping[str, NDArray[np.float64]]) -> tuple[float, float, float]:
+    """Cell sizes [m]. A single row is drawn as wide as its cells are long, because its period may be a metre."""
+    dx = float(np.ptp(coords["x"][:2]))
+    dy = float(np.ptp(coords["y"][:2])) if len(coords["y"]) > 1 else dx
+    return dx, dy, 2.0 * float(coords["z"][0]) if "z" in coords else 1.0
 
 
 def _write_vti(

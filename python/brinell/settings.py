@@ -183,16 +183,50 @@ class Solver(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Point(_Table):
+    """A point within a body at which each step records stress, plastic strain and temperature.
+
+    Attributes:
+        depth: depth below the surface [m].
+        x: coordinate on the surface of the body along the motion [m]; None: 0.
+        y: coordinate across [m]; None: 0.
+        body: "lower" or "upper"; None: the lower one.
+    """
+
+    depth: Quantity
+    x: Quantity | None = None
+    y: Quantity | None = None
+    body: Literal["lower", "upper"] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class Output(_Table):
     """Storage of results.
 
     Attributes:
         snapshots: steps whose fields are stored in addition to the final state: "none", "aligned", "all", "every 5", or
             a list of step numbers.
+        fields: fields of the stored states: "all"; "surface", all fields on surfaces; names such as "von_mises_stress";
+            or a list of these. None: all, as far as the result stays below 200 MB.
+        bodies: bodies whose fields are stored: "both", "lower" or "upper".
+        depth: depth down to which layers are stored [m].
+        region_x: first and last x of the stored columns, on the surface of each body [m]; equal numbers store one.
+        region_y: first and last y of the stored rows [m]; (0, 0) stores the plane y = 0.
+        stride: distance between stored columns, and between stored rows, in cells.
+        points: points at which each step records stress and strain, a list of `brinell.Point`.
+        precision: "double" or "single"; None: single if the result would exceed 200 MB.
         directory: folder of the results for the command line; `Case.run` has an argument of its own for it.
         checkpoint_interval: time between two checkpoints of a run [s].
     """
 
     snapshots: str | Sequence[int] | None = None
+    fields: str | Sequence[str] | None = None
+    bodies: Literal["both", "lower", "upper"] | None = None
+    depth: Quantity | None = None
+    region_x: tuple[Quantity, Quantity] | None = None
+    region_y: tuple[Quantity, Quantity] | None = None
+    stride: int | None = None
+    precision: Literal["double", "single"] | None = None
+    points: Sequence[Point | Mapping[str, Any]] | None = None
     directory: str | Path | None = None
     checkpoint_interval: Quantity | None = None

@@ -137,6 +137,61 @@ def test_a_bar_is_shown(case: brinell.Case, capsys: pytest.CaptureFixture[str]) 
     assert "100%" in capsys.readouterr().err
 
 
+def test_a_bar_is_shown_of_a_run_in_memory_and_without_asking_in_a_terminal(
+    case: brinell.Case, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    case.run(in_memory=True, progress=True)
+    assert "100%" in capsys.readouterr().err
+    case.run(in_memory=True)
+    monkeypatch.setattr("brinell.case._someone_looks", lambda: True)
+    case.run(in_memory=True)  # over before anybody waits
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr("brinell.case._PATIENCE", 1e-9)
+    for options in ({"in_memory": True}, {}):
+        case.run(**options)
+        assert "100%" in capsys.readouterr().err
+    case.run(in_memory=True, progress=False)
+    assert capsys.readouterr().err == ""
+
+
+def test_an_earlier_result_is_replaced_as_told(case: brinell.Case, tmp_path: Path) -> None:
+    folder = tmp_path / "run"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", brinell.ReplacementWarning)
+        case.run(folder, replace=False)
+        before = (folder / "summary.json").stat().st_mtime_ns
+        case.run(folder, replace=True)
+    assert (folder / "summary.json").stat().st_mtime_ns > before
+    kept = {path: path.stat().st_mtime_ns for path in folder.iterdir() if path.is_file()}
+    with pytest.raises(brinell.InputError, match="run: holds an earlier result, which is to be kept; allowed: another"):
+        case.run(folder, replace=False)
+    with pytest.raises(brinell.InputError, match="holds an earlier result"):
+        case.run(folder, replace=False, accuracy=0.2)
+    assert {path: path.stat().st_mtime_ns for path in folder.iterdir() if path.is_file()} == kept
+    with pytest.warns(brinell.ReplacementWarning, match=r"the earlier result in .*run is replaced; replace = ") as told:
+        case.run(folder)
+    assert told[0].filename == __file__
+
+
+def test_a_stopped_run_is_an_earlier_result_too(case: brinell.Case, tmp_path: Path) -> None:
+    with pytest.raises(KeyboardInterrupt):
+        case.run(tmp_path / "run", progress=interrupted_after(2))
+    with pytest.raises(brinell.InputError, match="holds an earlier result"):
+        case.run(tmp_path / "run", replace=False)
+    assert case.run(tmp_path / "run", resume=True).complete
+
+
+@pytest.mark.parametrize("arguments", [{"replace": True}, {"replace": False, "in_memory": True}])
+def test_replacing_goes_with_a_folder(case: brinell.Case, arguments: dict[str, Any]) -> None:
+    with pytest.raises(brinell.InputError, match=r"run\(replace=.* has no effect without a folder; allowed"):
+        case.run(**arguments)
+
+
+def test_replacing_does_not_go_with_resuming(case: brinell.Case, tmp_path: Path) -> None:
+    with pytest.raises(brinell.InputError, match="has no effect together with resume"):
+        case.run(tmp_path / "run", replace=True, resume=True)
+
+
 def test_what_progress_raises_ends_the_run_and_it_can_go_on(case: brinell.Case, tmp_path: Path) -> None:
     whole = case.run(tmp_path / "whole")
 

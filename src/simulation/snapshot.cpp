@@ -40,7 +40,8 @@ BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin
   s.x0 = origin;
   s.y0 = s.grid.surface.y(0);
   s.contact_x = contact_x;
-  if (!body.material().elastic.is_rigid())
+  s.is_rigid = body.material().elastic.is_rigid();
+  if (!s.is_rigid)
     s.residual_displacement = body.scalars(&elastoplastic::BodyState::residual_displacement);
   return s;
 }

@@ -124,6 +124,12 @@ TEST_F(Commands, QuietIsQuietAndOldResultsAreNamed)
   const Outcome again = run({"run", "case.toml", "-o", "out"});
   EXPECT_EQ(again.exit_code, 0);
   EXPECT_NE(again.err.find("replacing the earlier result in out"), std::string::npos) << again.err;
+  const Outcome kept = run({"run", "case.toml", "-o", "out", "--keep"});
+  EXPECT_EQ(kept.exit_code, 2);
+  EXPECT_NE(kept.err.find("out: holds an earlier result, which is to be kept; allowed: another folder"), kept.err.npos)
+      << kept.err;
+  EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "new", "--keep"}).exit_code, 0);
+  EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "new", "--keep", "--resume"}).exit_code, 2);
 }
 
 TEST_F(Commands, ThreadsAreSetAndRecorded)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/output_choice.hpp"
 #include "brinell/io/schema.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/scenarios.hpp"
@@ -60,6 +61,7 @@ struct Case
   std::string title; ///< may be empty
   Scenario scenario;
   SnapshotRule snapshots;
+  OutputChoice output;
   double checkpoint_interval = 30.0;              ///< [s]
   std::optional<double> accuracy;                 ///< relative error to be reached by a series of runs with finer cells
   std::optional<std::filesystem::path> directory; ///< of the results, if the case names one

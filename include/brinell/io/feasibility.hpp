@@ -18,6 +18,15 @@ using ScenarioPlan = simulation::AnyPlan;
 /// @throws InputError with place and value of the grid if it has an absurd number of cells or does not fit
 [[nodiscard]] ScenarioPlan plan_case(const Case& c, double available_memory = machine_memory());
 
+/// What a run of the case stores: what the case says and, where it says nothing, as much as stays below 200 MB.
+[[nodiscard]] StoredParts stored_parts(const Case& c, const ScenarioPlan& plan);
+
+/// Size of the stored fields before compression, an estimate [bytes].
+[[nodiscard]] double result_bytes(const Case& c, const ScenarioPlan& plan);
+
+/// Warnings about the size of a result: that it is large, or that fields are left out to keep it small.
+[[nodiscard]] std::vector<Warning> result_warnings(const Case& c, const ScenarioPlan& plan);
+
 /// Warnings and expected errors of a case before it runs: its own warnings, and those about the resolution of its cells.
 [[nodiscard]] std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan);
 

@@ -60,9 +60,10 @@ public:
   /// Replaces the file by one with the rows of a checkpoint.
   /// @param record      of any step, for the names of the columns
   /// @param checkpoint  nullptr: no rows
+  /// @param name        under which the checkpoint has the rows
   /// @throws IoError; InputError if the checkpoint does not contain these columns
   HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record,
-                const Archive::Fields* checkpoint = nullptr);
+                const Archive::Fields* checkpoint = nullptr, std::string_view name = "history");
 
   /// @throws IoError
   void add(const std::vector<NamedNumber>& row);

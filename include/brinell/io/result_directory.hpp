@@ -32,12 +32,14 @@ public:
   enum class Mode
   {
     replace, ///< an earlier result
+    keep,    ///< an earlier result: it is an error
     resume   ///< the run that was stopped there
   };
 
   /// Creates the folder, locks it for this process, removes an earlier result (its summary first) and writes the files that are
   /// known before the first step. With `resume` it keeps the steps up to the checkpoint instead, if there is one.
-  /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete
+  /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete, or if
+  ///         there is one and it is to be kept
   ResultDirectory(const std::filesystem::path& path, const Case& c, Mode mode = Mode::replace);
   ResultDirectory(ResultDirectory&&) noexcept;
   ResultDirectory& operator=(ResultDirectory&&) noexcept;
@@ -56,6 +58,9 @@ public:
   /// Stores the fields of a step, with the columns as attributes.
   /// @throws IoError
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  /// Stores a row of the history of a point; only if the case has points.
+  /// @throws IoError
+  void add_point(const std::vector<NamedNumber>& row);
   /// Stores a checkpoint after the last step in the history, replacing the previous one.
   /// @throws IoError
   void add_checkpoint(const std::function<void(Archive&)>& state);

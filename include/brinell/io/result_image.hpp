@@ -34,6 +34,8 @@ public:
   void add(const std::vector<NamedNumber>& columns);
   /// Stores the fields of a step.
   void add(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  /// Stores a row of the history of a point.
+  void add_point(const std::vector<NamedNumber>& row);
   void add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns);
   void finish(const std::string& summary);
 

@@ -42,7 +42,8 @@ struct SnapshotRule
 using Vector3 = std::array<double, 3>;
 
 /// A value of the case in SI.
-using Value = std::variant<bool, std::int64_t, double, std::string, Vector3, std::vector<double>, SnapshotRule>;
+using Value = std::variant<bool, std::int64_t, double, std::string, Vector3, std::vector<double>, SnapshotRule,
+                           std::vector<std::string>>;
 
 enum class Type
 {
@@ -51,9 +52,10 @@ enum class Type
   boolean, ///< true, false
   integer,
   number,
-  vector3,  ///< three numbers, x y z
-  numbers,  ///< a list of at least one number
-  snapshots ///< SnapshotRule
+  vector3,   ///< three numbers, x y z
+  numbers,   ///< a list of at least one number
+  snapshots, ///< SnapshotRule
+  words      ///< a list of Entry::choices, at least one
 };
 
 /// Allowed interval of a number (of each component of a vector or list).
@@ -119,7 +121,7 @@ struct Entry
 {
   std::string key; ///< dotted, from the root of the file
   ValueKind of{};
-  std::vector<std::string> choices{}; ///< if there are any, the value is one of them
+  std::vector<std::string> choices{}; ///< if there are any, the value is one of them, or a list of them
   bool per_axis = false;              ///< a choice that may also be given as a list, along x and along y
   bool required = false;              ///< if the condition holds
   std::optional<Value> fallback{};    ///< default; a key without one and not required may stay unset

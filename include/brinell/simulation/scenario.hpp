@@ -202,6 +202,7 @@ using TensorField = std::array<std::vector<double>, 6>;
 struct BodySnapshot
 {
   VolumeGrid grid;
+  bool is_rigid = false;      ///< then it has no fields but worn depth and height
   double x0 = 0.0, y0 = 0.0;  ///< centre of cell (0, 0) in the body's surface coordinates [m]
   double contact_x = 0.0;     ///< current position of the contact's centre [m]
   TensorField stress;         ///< due to contact, plastic strain and heat, plus the initial stress [Pa]; empty if rigid
@@ -243,6 +244,7 @@ struct StepFields
   {
     std::function<std::vector<double>()> equivalent_plastic_strain, temperature;
     std::function<TensorField()> plastic_strain, stress;
+    bool keeps_stress = true, keeps_von_mises = true; ///< what a result keeps of the stress
   };
 
   Snapshot surfaces;   ///< all fields but those within the bodies

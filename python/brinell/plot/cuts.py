@@ -24,6 +24,7 @@ __all__ = [
     "contact_on",
     "cut_of",
     "from_contact",
+    "has_section",
     "panel_of",
     "usual_quantities",
     "window_of",
@@ -101,9 +102,16 @@ def usual_quantities(bodies: Sequence[Side]) -> list[Quantity]:
         found = [QUANTITIES[name].values(side.body) for side in bodies]
         return any(values is not None and bool(np.any(values)) for values in found)
 
-    return [QUANTITIES[name] for name in ("von_mises_stress", "equivalent_plastic_strain") if is_there(name)] or [
-        QUANTITIES["equivalent_plastic_strain"]
-    ]
+    names = ("von_mises_stress", "equivalent_plastic_strain")
+    stored = [name for name in names if any(QUANTITIES[name].values(side.body) is not None for side in bodies)]
+    shown = [name for name in names if is_there(name)] or (stored or list(names))[-1:]
+    return [QUANTITIES[name] for name in shown]
+
+
+def has_section(bodies: Sequence[Side]) -> bool:
+    """Whether a field within the bodies that a section shows unasked is stored."""
+    names = ("von_mises_stress", "equivalent_plastic_strain")
+    return any(QUANTITIES[name].values(side.body) is not None for side in bodies for name in names)
 
 
 def panel_of(
@@ -157,7 +165,11 @@ def window_of(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, origin: 
             start, end = _patch(snapshot.contact, across)
         centre, reach = 0.5 * (start + end), 0.5 * (end - start)
         low, high, deep = centre - 2.0 * reach, centre + 2.0 * reach, 1.2 * reach
-    cuts = [cut_of(side, QUANTITIES["equivalent_plastic_strain"], plane, origin) for side in bodies]
+    cuts: list[Cut | None] = []
+    for name in ("equivalent_plastic_strain", "von_mises_stress", "temperature", *QUANTITIES):  # whatever is stored
+        cuts = [cut_of(side, QUANTITIES[name], plane, origin) for side in bodies]
+        if any(cuts):
+            break
     for cut in (cut for cut in cuts if cut is not None):
         x, z = _plastic_zone(cut)
         if z.size == 0:
@@ -187,6 +199,9 @@ def _upward(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, deep: floa
 
 def _plastic_zone(cut: Cut) -> tuple[FloatArray, FloatArray]:
     """Places of cells that have more than a hundredth of the largest plastic strain of the body [m]."""
-    largest = float(cut.side.body.equivalent_plastic_strain.max(initial=0.0))
+    body = cut.side.body
+    if not body.has_yielded:
+        return np.empty(0), np.empty(0)
+    largest = float(body.equivalent_plastic_strain.max(initial=0.0))
     plastic = cut.values > max(1e-2 * largest, 1e-300)
     return cut.across[np.any(plastic, axis=0)], cut.upward[np.any(plastic, axis=1)]

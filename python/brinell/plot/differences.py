@@ -75,7 +75,7 @@ def told(key: str, value: Any) -> str:
 
 def _value(value: Any, unit: str | None) -> str:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        return str(value).lower() if isinstance(value, bool) else str(value)
+        return str(value).lower() if isinstance(value, bool) else style.as_written(str(value))
     return style.quantity(value, unit) if unit and value else style.number(value)
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import at_centre, contact_edge, contact_patch, draw_cells, extent, refined
+from brinell.plot.cuts import has_section
 from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.sections import section
@@ -201,9 +202,15 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
         snapshot: the state to draw.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
         ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
+
+    Raises:
+        RunError: the residual displacement is not stored.
     """
     scales = Scales(run)
-    deformed = [side for side in sides(snapshot) if np.any(side.body.residual_displacement)] or sides(snapshot)
+    known = [side for side in sides(snapshot) if side.body.has("residual_displacement")]
+    if not known:
+        raise RunError(f"{run.path}: residual_displacement is not stored at step {snapshot.step}")
+    deformed = [side for side in known if side.body.is_dented] or known
     lowest = min(0.0, *(float(_height(side.body).min()) for side in deformed))
     highest = max(0.0, *(float(_height(side.body).max()) for side in deformed))
     depth = scales.displacement(max(-lowest, highest))
@@ -348,4 +355,8 @@ def suits(name: str, snapshot: Snapshot) -> bool:
         return any(body.temperature is not None for body in (snapshot.lower, snapshot.upper))
     if name == "surface-temperature-maps":
         return has_heat(snapshot)
+    if name == "residual-surfaces":
+        return any(side.body.has("residual_displacement") for side in sides(snapshot))
+    if name == "section":
+        return has_section(sides(snapshot))
     return snapshot.in_contact or name not in ("pressure", "gap")

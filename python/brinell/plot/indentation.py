@@ -156,7 +156,7 @@ def _imprints(shown: Sequence[Entry]) -> list[_Imprint]:
     result = []
     for entry in shown:
         body = entry.run.snapshot("final").lower
-        if np.any(body.residual_displacement):
+        if body.is_dented:
             result.append(_Imprint(entry, body, float(entry.run.history["x"][0])))
     return result
 

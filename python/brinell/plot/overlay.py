@@ -98,7 +98,7 @@ def entries(runs: Sequence[Run], scenario: Scenario) -> list[Entry]:
         ValueError: there is no run.
     """
     require_scenario(runs, scenario)
-    labels = _labels(runs)
+    labels = [style.as_written(label) for label in _labels(runs)]
     return [Entry(*each) for each in zip(runs, labels, looks(labels), strict=True)]
 
 

@@ -53,7 +53,7 @@ def _curves(runs: Sequence[Run]) -> list[_Curve]:
     ordered = sorted(runs, key=lambda run: run.normalised_interference)
     labels = [style.number(run.normalised_interference) for run in ordered]
     labels = [
-        f"{label} ({run.path.name})" if labels.count(label) > 1 else label
+        f"{label} ({style.as_written(run.path.name)})" if labels.count(label) > 1 else label
         for label, run in zip(labels, ordered, strict=True)
     ]
     colours = style.family_colours(len(ordered))

@@ -43,6 +43,7 @@ class Quantity:
             found = (body.stress if self.kind == "stress" else body.plastic_strain).get(self.component)
         else:
             found = body.von_mises_stress if self.kind == "stress" else body.equivalent_plastic_strain
+            found = found if body.has(self.name) else None
         return found if found is not None and found.size else None
 
     def title_in(self, *, in_contact: bool) -> str:

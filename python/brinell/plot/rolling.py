@@ -190,7 +190,7 @@ def track_profile(runs: Sequence[Run], *, ax: style.Target | None = None) -> Fig
         ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
-    deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and np.any(body.residual_displacement)]
+    deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and body.is_dented]
     if not deformed:
         return None
     height = si(largest(_across(body) for _, body in deformed), "m")

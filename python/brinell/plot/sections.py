@@ -91,7 +91,7 @@ def _with_content(bodies: list[Side], names: Sequence[str]) -> list[Side]:
         if "temperature" in names and side.body.temperature is not None:
             return True
         stress = side.body.von_mises_stress
-        return bool(np.any(side.body.equivalent_plastic_strain)) or (stress is not None and bool(np.any(stress)))
+        return side.body.has_yielded or (stress is not None and bool(np.any(stress)))
 
     return [side for side in bodies if has_content(side)] or bodies
 

@@ -100,6 +100,8 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
         "section": (f"Stress and plastic strain in the plane y = 0 {where}.", partial(fields.section, run, snapshot)),
     }
     for name, (caption, draw) in drawn.items():
+        if not fields.suits(name, snapshot):
+            continue
         yield Named(f"loaded-{name}", caption, "loaded", draw())
     yield from _of_heat(run, snapshot)
 
@@ -123,14 +125,18 @@ def _end_of(final: Snapshot) -> Literal["end", "residual"]:
 
 def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     """Figures of the final state, in most scenarios without contact; none if no body has yielded."""
-    if not any(np.any(body.equivalent_plastic_strain) for body in (snapshot.lower, snapshot.upper)):
+    bodies = (snapshot.lower, snapshot.upper)
+    if not any(body.has_yielded or body.is_dented for body in bodies):
         return
     when, kind = ("at the end, under load", "Stress") if snapshot.in_contact else ("after unloading", "Residual stress")
     caption = f"Residual surfaces {when}: profile on y = 0, and maps."
-    yield Named("residual-surfaces", caption, _end_of(snapshot), fields.residual_surfaces(run, snapshot))
+    if fields.suits("residual-surfaces", snapshot):
+        yield Named("residual-surfaces", caption, _end_of(snapshot), fields.residual_surfaces(run, snapshot))
     caption = f"{kind} and plastic strain in the plane y = 0 {when}."
-    yield Named("residual-section", caption, _end_of(snapshot), fields.section(run, snapshot))
-    if any(np.any(stress) for body in (snapshot.lower, snapshot.upper) for stress in body.stress.values()):
+    if fields.suits("section", snapshot):
+        yield Named("residual-section", caption, _end_of(snapshot), fields.section(run, snapshot))
+    with_depth = [body for body in bodies if body.stress and body.has("equivalent_plastic_strain")]
+    if any(np.any(stress) for body in with_depth for stress in body.stress.values()):
         has_places = not _moves(run) and "x" in run.history
         first, under = (float(run.history["x"][0]), "the first place") if has_places else (0.0, "the point x = y = 0")
         x, y = depth.usual_place(snapshot, first)

@@ -13,12 +13,14 @@ from __future__ import annotations
 import contextlib
 import functools
 import io
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar, cast
 
 import matplotlib
 import numpy as np
+from matplotlib import font_manager
 from matplotlib.colors import Colormap, to_hex
 from matplotlib.figure import Figure
 
@@ -43,6 +45,7 @@ __all__ = [
     "TEMPERATURE_MAP",
     "UPPER",
     "Target",
+    "as_written",
     "family_colours",
     "figure",
     "font",
@@ -72,6 +75,15 @@ RESIDUAL_MAP = "PuOr"  # diverging about the undeformed surface: pile-up against
 MINUS = "\N{MINUS SIGN}"
 FORMATS = ("png", "pdf", "svg")
 
+# Fonts for letters that DejaVu Sans has not got, such as Chinese ones; the installed ones are asked in this order.
+_MORE_FONTS = (
+    *("Noto Sans CJK SC", "Noto Sans CJK JP", "Noto Sans SC", "Source Han Sans SC", "WenQuanYi Micro Hei"),
+    *("WenQuanYi Zen Hei", "Droid Sans Fallback", "Microsoft YaHei", "SimHei", "PingFang SC", "Hiragino Sans GB"),
+    *("Arial Unicode MS", "Unifont"),
+)
+_INSTALLED = {font.name for font in font_manager.fontManager.ttflist}
+_FONTS = ["DejaVu Sans", *(name for name in _MORE_FONTS if name in _INSTALLED)]
+
 _RC: Any = {
     "axes.axisbelow": True,
     "axes.edgecolor": "#333333",
@@ -86,7 +98,7 @@ _RC: Any = {
     "figure.constrained_layout.w_pad": 0.06,
     "figure.dpi": 100,
     "figure.facecolor": "white",
-    "font.family": "DejaVu Sans",  # comes with matplotlib: the same picture on every machine
+    "font.family": _FONTS,  # the first one comes with matplotlib: the same picture on every machine
     "font.size": 9,
     "image.cmap": "viridis",
     "legend.fontsize": 9,
@@ -212,6 +224,34 @@ def save(fig: Figure, folder: str | Path, name: str, formats: Sequence[str] = ("
             fig.savefig(path, metadata=metadata[ending])
         written.append(path)
     return written
+
+
+def as_written(text: str) -> str:
+    r"""A text of the user, such as a title or the name of a folder, for matplotlib to draw as it is written.
+
+    A letter that no font has is drawn as a box, with a warning that says what to install.
+
+    >>> print(as_written("run $NAME_$SIZE"))
+    run \$NAME_\$SIZE
+    """
+    missing = "".join(dict.fromkeys(letter for letter in text if not _is_in_a_font(letter)))
+    if unknown := "".join(filter(str.isprintable, missing)):
+        warnings.warn(
+            f"no installed font has {unknown!r} of {text!r}: boxes are drawn; install a font that has, such as "
+            "Noto Sans CJK, and remove matplotlib's list of fonts (fontlist-*.json in matplotlib.get_cachedir())",
+            stacklevel=2,
+        )
+    drawn = "".join((_BOX if letter.isprintable() else " ") if letter in missing else letter for letter in text)
+    return drawn.replace("$", r"\$")
+
+
+_BOX = "\N{WHITE SQUARE}"
+
+
+@functools.cache
+def _is_in_a_font(letter: str) -> bool:
+    fonts = (font_manager.get_font(font_manager.findfont(name)) for name in _FONTS)
+    return letter == "\n" or any(font.get_char_index(ord(letter)) for font in fonts)
 
 
 def family_colours(count: int) -> list[str]:

@@ -39,7 +39,7 @@ def surface(heightmap: HeightMap, *, title: str = "", ax: style.Target | None = 
         raise InputError("the surface is flat: there is nothing to draw")
     fig = style.new_figure(9.0, 7.2)
     if title:
-        fig.suptitle(title, x=0.01, ha="left", fontsize=style.font(11))
+        fig.suptitle(style.as_written(title), x=0.01, ha="left", fontsize=style.font(11))
     (map_axes, spectrum_axes), (distribution_axes, bearing_axes) = fig.subplots(2, 2)
     _map(fig, map_axes, heightmap)
     _spectrum(spectrum_axes, heightmap)

@@ -44,6 +44,8 @@ UNITS: Mapping[str, str] = {
             "size",
             "layer",
             "reference",
+            "region_x",
+            "region_y",
         ),
         "m",
     ),
@@ -96,6 +98,8 @@ class Input:
     key: str
     """Within its section: "shape.radius"."""
     value: str
+    is_text: bool = False
+    """Whether the user wrote the value as text, such as the name of a file, in which there are no symbols."""
 
 
 def inputs_of(run: Run) -> dict[str, list[Input]]:
@@ -105,14 +109,10 @@ def inputs_of(run: Run) -> dict[str, list[Input]]:
         RunError: the run has not finished.
     """
     case = run.case()
-    return {
-        section: [Input(key, written) for key, written in _flattened(content, "")]
-        for section, content in case.items()
-        if isinstance(content, Mapping)
-    }
+    return {section: list(_flattened(content, "")) for section, content in case.items() if isinstance(content, Mapping)}
 
 
-def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[Input]:
     normalised = content.get("normalised") is True
     for key, value in content.items():
         if isinstance(value, Mapping):
@@ -123,7 +123,7 @@ def _flattened(content: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, s
         else:
             unit = _NORMALISED.get(key) if normalised else None
             known = "" if f"{prefix}{key}".endswith(_PURE) else UNITS.get(key, "")
-            yield f"{prefix}{key}", _written(value, unit or known)
+            yield Input(f"{prefix}{key}", _written(value, unit or known), isinstance(value, str))
 
 
 def _written(value: Any, unit: str) -> str:

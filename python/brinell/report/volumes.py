@@ -193,9 +193,9 @@ def _colours(name: str, middle: float = 0.5) -> list[tuple[float, str]]:
 def _surface(side: Side) -> dict[str, Any] | None:
     """Heights of a residual surface; None if the surface is not deformed."""
     body = side.body
-    height = -body.residual_displacement
-    if not np.any(height):
+    if not body.is_dented:
         return None
+    height = -body.residual_displacement
     rows, columns = (np.arange(0, n, -(-n // _SURFACE_POINTS)) for n in height.shape)
     shown, x, y = height[np.ix_(rows, columns)], body.x[columns], body.y[rows]
     up, along = si(float(np.abs(shown).max()), "m"), si(float(np.abs(x).max()), "m")

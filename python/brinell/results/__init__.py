@@ -15,7 +15,8 @@ result raises a `RunError` that says where the problem is.
     brinell.open("results/fretted").cycles[-1].work          # "fretting"
 
 Modules: `opening`, `run` (the result; `brinell.scenarios` has the parts that are specific to a scenario), `history`,
-`result_file` (result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states).
+`result_file` (result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states),
+`points` (histories at points).
 """
 
 from brinell.results.accuracy import Accuracy, RunWarning
@@ -24,6 +25,7 @@ from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.history import History
 from brinell.results.labelled import Labelled
 from brinell.results.opening import open_run
+from brinell.results.points import PointHistory
 from brinell.results.run import Run
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
 from brinell.scenarios import Scenario
@@ -45,6 +47,7 @@ __all__ = [
     "History",
     "Indent",
     "Labelled",
+    "PointHistory",
     "RollingPass",
     "Run",
     "RunError",

@@ -38,7 +38,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
         if body.is_rigid and body.worn_depth is None and body.height is None:
             continue
         left = body.x[0] - (body.contact_x if snapshot.in_contact else 0.0)
-        volume = dict(_volume_fields(body, fields))
+        volume = {} if body.is_rigid else dict(_volume_fields(body, fields))
         if volume:
             blocks[f"{name}_volume"] = _volume(pyvista, body, left, volume, below=below)
         sheet = {

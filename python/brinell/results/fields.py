@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Literal, get_args
 
 import h5py
@@ -15,7 +17,7 @@ from brinell._names import did_you_mean
 from brinell.results.errors import RunError, listed, reports_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
-from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of
+from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of, counts_of
 
 __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 
@@ -24,6 +26,9 @@ FloatArray = NDArray[np.float64]
 Body = Literal["lower", "upper"]
 Grid = tuple[FloatArray, ...]
 """Cell centres along [z,] y and x."""
+
+_UNKNOWN_OUTSIDE = ("gap", "temperature_lower", "temperature_upper")
+"""Contact fields that are not zero outside the contact grid; they are NaN there, as in ParaView."""
 
 
 def field_names(path: Source, body: Body) -> list[str]:
@@ -41,7 +46,9 @@ def field_names(path: Source, body: Body) -> list[str]:
         group = file.group(next(iter(states.values())))
         with reports_damage(path, str(group.name)):
             of_contact = [one for one in CONTACT_FIELDS if one in group["contact"]] if body == "lower" else []
-            return [*group[body], *of_contact]
+            # The last state, of which most is stored, has the fields of all states.
+            last = file.group(list(states.values())[-1])
+            return [*last[body], *of_contact]
 
 
 def labelled_field(path: Source, body: Body, name: str) -> Labelled:
@@ -58,9 +65,10 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
         last = file.group(list(states.values())[-1])  # grids only grow, so the last one contains those of all states
         with reports_damage(path, str(last.name)):
             data = _first_dataset(last, body, name)
-            coords = _coords(last, body, name, data)
+            coords = _coords(last, body, name, data.ndim)
             units, long_name = str(data.attrs["units"]), str(data.attrs["long_name"])
-    part = _part_of_contact if name in CONTACT_FIELDS else _part_of_tensor if "component" in coords else _part
+        of_contact = partial(_part_of_contact, goes_round=_goes_round(file.text("case") or ""))
+    part = of_contact if name in CONTACT_FIELDS else _part_of_tensor if "component" in coords else _part
     grid = tuple(axis for key, axis in coords.items() if key != "component")
 
     def read(taken: tuple[Axis, ...]) -> FloatArray:
@@ -96,14 +104,14 @@ def _first_dataset(state: h5py.Group, body: str, name: str) -> h5py.Dataset:
     return entry[COMPONENTS[0]] if isinstance(entry, h5py.Group) else entry
 
 
-def _coords(state: h5py.Group, body: str, name: str, data: h5py.Dataset) -> Mapping[str, NDArray[Any]]:
-    """Coordinates along all axes except the steps."""
+def _coords(state: h5py.Group, body: str, name: str, dimensions: int) -> Mapping[str, NDArray[Any]]:
+    """Coordinates along all axes except the steps; contact fields have those of the lower body's surface."""
     group = state[body]
-    shape = data.shape if name not in CONTACT_FIELDS else group["residual_displacement"].shape
     spacing, origin = group.attrs["spacing"], group.attrs["origin"]
+    counts = counts_of(state, body)
     axes = {
-        axis: origin[i] + spacing[i] * np.arange(count)
-        for axis, i, count in zip("zyx"[-len(shape) :], (2, 1, 0)[-len(shape) :], shape, strict=True)
+        axis: origin[i] + spacing[i] * np.arange(counts[2 - i])
+        for i, axis in reversed(list(enumerate("xyz"[:dimensions])))
     }
     components = {"component": np.array(COMPONENTS)} if isinstance(group.get(name), h5py.Group) else {}
     return components | axes
@@ -148,25 +156,45 @@ def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: 
 
 
 def _part(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
+    if name not in state[body]:
+        return _unknown(taken)
     return _selected(_on_grid(state, body, name, state[body][name], grid), taken)
+
+
+def _unknown(taken: tuple[Axis, ...]) -> FloatArray:
+    """Values of a field that is not stored of a state."""
+    return np.full([len(axis) for axis in taken if isinstance(axis, range)], np.nan)
 
 
 def _part_of_tensor(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
     component, inside = taken[0], taken[1:]
-    tensor = state[body][name]
+    tensor = state[body].get(name)
+    if tensor is None:
+        return _unknown(taken)
     if isinstance(component, int):
         return _selected(_on_grid(state, body, name, tensor[COMPONENTS[component]], grid), inside)
     return np.array([_selected(_on_grid(state, body, name, tensor[COMPONENTS[c]], grid), inside) for c in component])
 
 
-def _part_of_contact(state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid) -> FloatArray:
-    """Part of a contact field on the lower body's surface grid; outside the contact grid gaps are NaN, others 0."""
+def _goes_round(case: str) -> bool:
+    """Whether the grid is a period along x, by the resolved case."""
+    return re.search(r'^boundary = "periodic(_x)?"$', case, re.MULTILINE) is not None
+
+
+def _part_of_contact(
+    state: h5py.Group, body: str, name: str, taken: tuple[Axis, ...], grid: Grid, *, goes_round: bool
+) -> FloatArray:
+    """Part of a contact field on the lower body's surface grid; see `Run.field` for the values outside the contact."""
     surface, contact = state[body], state["contact"]
+    if name not in contact:
+        return _unknown(taken)
     values = np.asarray(contact[name][()], dtype=np.float64)
     origin = contact.attrs["origin"] + [surface.attrs["contact_x"], 0.0]
     column, row = np.rint((origin - [grid[-1][0], grid[-2][0]]) / contact.attrs["spacing"]).astype(int)
     ny, nx = len(grid[-2]), len(grid[-1])
-    whole = np.full((ny, nx), np.nan if name == "gap" else 0.0)
+    if goes_round:
+        values, column = np.roll(values, column, axis=1), 0
+    whole = np.full((ny, nx), np.nan if name in _UNKNOWN_OUTSIDE else 0.0)
     to_row, to_column = max(row, 0), max(column, 0)
     inside = values[to_row - row : max(ny - row, 0), to_column - column : max(nx - column, 0)]
     whole[to_row : to_row + inside.shape[0], to_column : to_column + inside.shape[1]] = inside

@@ -124,6 +124,13 @@ class ResultFile:
         except RunError as error:
             raise RunError(f"{self.path}: /history: {error}") from error
 
+    def table(self, name: str) -> dict[str, FloatArray]:
+        """Columns of a table, by name; empty if there is none."""
+        with reports_damage(self.path, f"/{name}"):
+            if name not in self._file:
+                return {}
+            return {column: np.asarray(values[()], dtype=np.float64) for column, values in self._file[name].items()}
+
     def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order."""
         with reports_damage(self.path, "/steps"):

@@ -17,6 +17,7 @@ from brinell.results.errors import RunError
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.labelled import Labelled
 from brinell.results.patches import patches_of
+from brinell.results.points import PointHistory, point_histories
 from brinell.results.result_file import FILE_NAME, ResultFile, Source
 from brinell.results.snapshots import Snapshot
 from brinell.scenarios import OfScenarios
@@ -107,6 +108,11 @@ class Run(OfScenarios):
         with ResultFile(self.file) as file:
             return (file.text("sources") or "").splitlines()
 
+    @cached_property
+    def points(self) -> list[PointHistory]:
+        """Histories of the points that `output.points` of the case names, in their order; one value for each step."""
+        return point_histories(self.path, self.file)
+
     @property
     def steps(self) -> list[int]:
         """Numbers of the steps whose fields are stored, in order; the final state is stored in addition."""
@@ -128,8 +134,8 @@ class Run(OfScenarios):
             body: body on whose grid the field is.
             name: a field of `BodyFields`, or a component of a tensor such as "stress_xx"; for the lower body also a
                 field of `ContactFields`, such as "pressure", "gap" and, with stick and slip, "shear_x" or "slip_path".
-                Contact fields are given on the lower body's surface; outside the contact grid the gap is NaN and all
-                others are 0.
+                Contact fields are given on the lower body's surface, also if this body is rigid; outside the contact
+                grid the gap and the temperatures are NaN and all others are 0.
 
         Returns:
             Array with the axes step, component (of a tensor), z (of a volume), y, x. The final state has the number

@@ -25,6 +25,7 @@ __all__ = [
     "Snapshot",
     "TensorField",
     "component_of",
+    "counts_of",
     "row_of",
     "snapshot_of",
 ]
@@ -136,9 +137,10 @@ class BodyFields:
     contact_x: float
     """Present position of the centre of contact on this body [m]."""
     residual_displacement: FloatArray
-    """(ny, nx) residual displacement of the surface, positive into the body [m]; zero for an elastic body."""
+    """(ny, nx) residual displacement of the surface, positive into the body [m]; zero for an elastic body, NaN if the
+    case did not ask to store it."""
     equivalent_plastic_strain: FloatArray
-    """(nz, ny, nx) equivalent plastic strain [-]; zero for an elastic body."""
+    """(nz, ny, nx) equivalent plastic strain [-]; zero for an elastic body, NaN if the case did not ask to store it."""
     von_mises_stress: FloatArray | None
     """(nz, ny, nx) von Mises stress of contact pressure and plastic strain together [Pa]; None if it is not stored."""
     worn_depth: FloatArray | None = None
@@ -150,6 +152,10 @@ class BodyFields:
     body, and in results of older versions."""
     plastic_strain: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("plastic_strain", None))
     """(nz, ny, nx) plastic strain by component, "xx" to "xy" [-]; read on first use; empty if it is not stored."""
+    stored: frozenset[str] | None = None
+    """Names of the stored fields; None in results of older versions, which stored all."""
+    is_rigid: bool = False
+    """Whether the body is rigid, so that it has no displacement and strain."""
     stress: Mapping[str, FloatArray] = field(default_factory=lambda: TensorField("stress", None))
     """(nz, ny, nx) stress by component, positive in tension [Pa]; read on first use; empty if it is not stored."""
 
@@ -162,22 +168,31 @@ class BodyFields:
         if name not in _SCALARS:
             raise KeyError(f"no field {name!r}; {did_you_mean(name, known)}allowed: {listed(known)}")
         values: FloatArray | None = getattr(self, name)
-        if values is None:
+        if values is None or (not self.is_rigid and not self.has(name)):
             raise KeyError(f"nothing is stored of {name}")
         return values
 
     @property
     def height_before(self) -> FloatArray | None:
         """(ny, nx) height of the surface before the first load, its texture [m]; None if `height` is None."""
-        if self.height is None:
+        if self.height is None or not (self.is_rigid or self.has("residual_displacement")):
             return None
         before = self.height if self.is_rigid else self.height + self.residual_displacement
         return before if self.worn_depth is None else before + self.worn_depth
 
+    def has(self, name: str) -> bool:
+        """Whether a field such as "residual_displacement" or "stress" is stored, as far as it exists."""
+        return self.stored is None or name in self.stored
+
     @property
-    def is_rigid(self) -> bool:
-        """Whether the body is rigid, so that it has no stored displacement and strain."""
-        return self.residual_displacement.size == 0
+    def is_dented(self) -> bool:
+        """Whether a residual displacement is stored that is not zero."""
+        return self.has("residual_displacement") and bool(np.any(self.residual_displacement))
+
+    @property
+    def has_yielded(self) -> bool:
+        """Whether an equivalent plastic strain is stored that is not zero."""
+        return self.has("equivalent_plastic_strain") and bool(np.any(self.equivalent_plastic_strain))
 
     def __repr__(self) -> str:
         return f"<BodyFields {'rigid' if self.is_rigid else cells((len(self.z), len(self.y), len(self.x)))}>"
@@ -291,17 +306,25 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
     von_mises = read("von_mises_stress")
     worn = read("worn_depth")
     height = read("height")
-    surface = next((field for field in (residual, worn, height) if field is not None), None)
-    nz, ny, nx = _shape(strain if strain is not None else von_mises, surface)
-    is_rigid = residual is None and nz == 0
+    says = "is_rigid" in group.attrs  # older results store all fields that exist
+    if says:
+        is_rigid, counts = bool(group.attrs["is_rigid"]), counts_of(group.parent, group.name.rpartition("/")[2])
+        nz, ny, nx = (0, *_shape(None, worn if worn is not None else height)[1:]) if is_rigid else counts
+    else:
+        surface = next((field for field in (residual, worn, height) if field is not None), None)
+        nz, ny, nx = _shape(strain if strain is not None else von_mises, surface)
+        is_rigid = residual is None and nz == 0
+    left_out = np.nan if says and not is_rigid else 0.0
     spacing, origin = group.attrs["spacing"], group.attrs["origin"]
     return BodyFields(
         x=_axis(origin[0], spacing[0], nx),
         y=_axis(origin[1], spacing[1], ny),
         z=_axis(origin[2], spacing[2], nz),
         contact_x=float(group.attrs["contact_x"]),
-        residual_displacement=residual if residual is not None else np.zeros((0, 0) if is_rigid else (ny, nx)),
-        equivalent_plastic_strain=strain if strain is not None else np.zeros((nz, ny, nx)),
+        residual_displacement=residual if residual is not None else _filled(left_out, (0, 0) if is_rigid else (ny, nx)),
+        equivalent_plastic_strain=strain if strain is not None else _filled(left_out, (nz, ny, nx)),
+        stored=frozenset(group) if says else None,
+        is_rigid=is_rigid,
         von_mises_stress=von_mises,
         worn_depth=worn,
         temperature=read("temperature"),
@@ -309,6 +332,32 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
         plastic_strain=components("plastic_strain"),
         stress=components("stress"),
     )
+
+
+def _filled(value: float, shape: tuple[int, ...]) -> FloatArray:
+    """An array of equal values, which takes no memory if they are unknown."""
+    return np.zeros(shape) if value == 0.0 else np.broadcast_to(np.float64(value), shape)
+
+
+def counts_of(state: h5py.Group, body: str) -> tuple[int, int, int]:
+    """Number of cells (nz, ny, nx) of a body's grid, also of a rigid body, which has no fields.
+
+    Raises:
+        KeyError, OSError, ValueError and others of h5py: the file is damaged.
+    """
+    group = state[body]
+    if "cells" in group.attrs:
+        nx, ny, nz = (int(count) for count in group.attrs["cells"])
+        return nz, ny, nx
+    stored = (group[name].shape for name in _SCALARS if name in group)
+    shape = max(stored, key=len, default=None) or _shape_in_paraview(state.file, body)
+    return (*(0,) * (3 - len(shape)), *shape)
+
+
+def _shape_in_paraview(file: h5py.File, body: str) -> tuple[int, ...]:
+    """Number of cells (ny, nx) on a body's surface, from the part for ParaView; older results have it only there."""
+    _, nx, _, ny, *_ = (int(last) + 1 for last in file[f"VTKHDF/{body}_surface"].attrs["WholeExtent"])
+    return ny, nx
 
 
 def _shape(volume: FloatArray | None, surface: FloatArray | None) -> tuple[int, int, int]:

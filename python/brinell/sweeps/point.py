@@ -145,4 +145,4 @@ def _compute(case: Case, task: Task, on_step: Callable[..., None], began: Callab
             if began():
                 raise
             # The run cannot be resumed: no checkpoint, another case, another build, or a damaged file.
-    case.run(task.folder, progress=on_step, threads=task.threads or None)
+    case.run(task.folder, progress=on_step, threads=task.threads or None, replace=True)

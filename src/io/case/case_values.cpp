@@ -172,6 +172,25 @@ std::string choice(const Raw& raw, const Entry& entry)
   return *word;
 }
 
+/// A list of choices, or one of them.
+std::vector<std::string> words(const Raw& raw, const Entry& entry)
+{
+  const auto* items = std::get_if<std::vector<Raw>>(&raw.value);
+  if (!items)
+    return {choice(raw, entry)};
+  std::vector<std::string> result;
+  for (const Raw& item : *items)
+  {
+    const auto* word = std::get_if<std::string>(&item.value);
+    if (!word || std::find(entry.choices.begin(), entry.choices.end(), *word) == entry.choices.end())
+      throw InputError(fmt::format("has the element {}, which is not known; {}", shown(item), allowed(entry, false)));
+    result.push_back(*word);
+  }
+  if (result.empty())
+    throw InputError(fmt::format("has no elements; {}", allowed(entry, false)));
+  return result;
+}
+
 SnapshotRule rule_from_word(const std::string& word, const Entry& entry)
 {
   using Kind = SnapshotRule::Kind;
@@ -236,6 +255,8 @@ Value converted(const Raw& raw, const Entry& entry, bool pure)
     return numbers(raw, entry, pure);
   case Type::snapshots:
     return snapshot_rule(raw, entry);
+  case Type::words:
+    return words(raw, entry);
   }
   throw InternalError("a type of the case schema has no conversion");
 }

@@ -211,6 +211,16 @@ void warn_of_large_contact(const ShapedBody& lower, const ShapedBody& upper, con
            axis == 0 ? "x" : "y", half[axis], radius);
 }
 
+/// A stride that does not divide a period would not repeat with it.
+void check_stride(const CaseReader& reader, const Case& c, const SurfaceGrid& grid)
+{
+  const int stride = c.output.cells.stride;
+  for (const auto& [cells, is_periodic] :
+       {std::pair{grid.nx, grid.is_periodic_x()}, {grid.ny, grid.is_periodic_y() && grid.ny > 1}})
+    if (is_periodic && cells % stride != 0)
+      reader.add("output.stride", "does not divide the {} cells of a period; allowed: a divisor", cells);
+}
+
 /// Makes the plan, which detects absurd grids and inconsistent lengths (reported at `key`). With the size of the contact from the
 /// plan it checks that the bodies can be treated as half spaces, and that neither cells nor steps are larger than the contact.
 template <typename ScenarioCase>
@@ -225,6 +235,7 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
   if (scenario.spacing)
     if (const auto reason = simulation::reason_against_cells(*scenario.spacing, half_x, rows))
       reader.problems.add(c.grid_source, *reason);
+  check_stride(reader, c, plan.contact);
   if constexpr (requires { scenario.shift; })
     if (scenario.shift)
       if (const auto reason = simulation::reason_against_shift(*scenario.shift, half_x))
@@ -273,6 +284,38 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
       warn_of_keys_without_heat(reader, c, fmt::format("{}.{}", io_of(scenario).name, io_of(scenario).speed));
 }
 
+/// Reads the points whose histories are recorded.
+template <typename ScenarioCase>
+void read_points(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
+{
+  for (const std::string& table : reader.raw.tables_of("output.points"))
+  {
+    const auto key = [&](const char* name) { return fmt::format("{}.{}", table, name); };
+    if (!reader.has(key("depth")))
+    {
+      if (reader.has(key("x")) || reader.has(key("y")) || reader.has(key("body")))
+        reader.missing(key("depth"), "a length >= 0, the depth of the point");
+      continue;
+    }
+    const bool is_upper = reader.get_or<std::string>(key("body"), "lower") == "upper";
+    if ((is_upper ? scenario.upper : scenario.lower).material.elastic.is_rigid())
+      reader.problems.add(reader.place(key("depth")), fmt::format("{} is a point of the {} body, which is rigid; "
+                                                                  "allowed: a body that deforms",
+                                                                  table, is_upper ? "upper" : "lower"));
+    c.output.points.push_back({is_upper, reader.get_or<double>(key("x"), 0.0), reader.get_or<double>(key("y"), 0.0),
+                               reader.get<double>(key("depth"))});
+  }
+}
+
+/// Checks the part of the cells that is stored.
+void check_stored_cells(const CaseReader& reader, const StoredCells& cells)
+{
+  for (const auto& [key, region] :
+       {std::pair{"output.region_x", &cells.region_x}, {"output.region_y", &cells.region_y}})
+    if (*region && ((*region)->size() != 2 || (*region)->front() > (*region)->back()))
+      reader.add(key, "is no region; allowed: the first and the last coordinate, as in [\"-1 mm\", \"1 mm\"]");
+}
+
 template <typename ScenarioCase>
 void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario)
 {
@@ -281,6 +324,8 @@ void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario
   read_pair(reader, c, scenario.lower, scenario.upper, scenario.domain, io.against_shape);
   const std::string key = io.read(reader, c, scenario);
   warn_of_heat(reader, c, scenario);
+  check_stored_cells(reader, c.output.cells);
+  read_points(reader, c, scenario);
   if (reader.problems.empty())
     at_its_key(reader, c, key, [&] { check_plan(reader, c, scenario); });
 }

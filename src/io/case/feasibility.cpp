@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/estimates.hpp"
 #include "io/scenarios/scenario_io.hpp"
+#include "result_size.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,17 +18,6 @@ namespace brinell::io
 namespace
 {
 
-/// "1.5 GB", "12 MB"
-std::string size_text(double bytes)
-{
-  constexpr std::array units{"kB", "MB", "GB", "TB"};
-  double value = bytes / 1e3;
-  std::size_t unit = 0;
-  for (; value >= 1000.0 && unit + 1 < units.size(); ++unit)
-    value /= 1e3;
-  return fmt::format("{:.3g} {}", value, units[unit]);
-}
-
 std::string duration_text(double seconds)
 {
   if (seconds < 1.0)
@@ -37,27 +27,6 @@ std::string duration_text(double seconds)
   if (seconds < 6000.0)
     return fmt::format("{:.0f} min", seconds / 60.0);
   return fmt::format("{:.0f} h", seconds / 3600.0);
-}
-
-/// Number of steps whose fields will be stored, not counting the final state.
-template <typename ScenarioCase>
-double stored_steps(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
-{
-  if (rule.kind == SnapshotRule::Kind::aligned)
-    return io_of(c).key_steps(c, plan);
-  double count = 0.0;
-  for (int step = 0; step < plan.steps; ++step)
-    count += rule.stores(step, false) ? 1.0 : 0.0;
-  return count;
-}
-
-template <typename ScenarioCase>
-std::string result_report(const ScenarioCase& c, const typename ScenarioCase::Plan& plan, const SnapshotRule& rule)
-{
-  const double steps = stored_steps(c, plan, rule);
-  return fmt::format("# Result: {:.0f} stored step{} and the final state, {} before compression\n", steps,
-                     steps == 1.0 ? "" : "s",
-                     size_text((steps + 1.0) * simulation::state_bytes(plan, c.lower.material, c.upper.material)));
 }
 
 std::string volume_text(const VolumeGrid& grid)
@@ -171,6 +140,8 @@ std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan)
           warnings.push_back(std::move(warning));
       },
       c.scenario);
+  for (Warning& warning : result_warnings(c, plan))
+    warnings.push_back(std::move(warning));
   return warnings;
 }
 
@@ -216,7 +187,7 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                                   size_text(p.memory_bytes), p.memory_bytes / solved_cells(p),
                                   duration_text(simulation::rough_seconds(
                                       p, scenario.lower.material, scenario.upper.material, work_of(scenario, p)))) +
-                      result_report(scenario, p, c.snapshots) + quality_report(scenario, p);
+                      result_report(c, plan) + quality_report(scenario, p);
              },
              c.scenario);
 }

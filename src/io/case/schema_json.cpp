@@ -55,6 +55,11 @@ Json value_schema(const Entry& entry)
   case Type::snapshots:
     return {{"anyOf", Json::array({{{"type", "string"}, {"pattern", "^(none|aligned|all|every [1-9][0-9]*)$"}},
                                    {{"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 0}}}}})}};
+  case Type::words:
+  {
+    const Json one{{"enum", entry.choices}};
+    return {{"anyOf", Json::array({one, {{"type", "array"}, {"items", one}, {"minItems", 1}}})}};
+  }
   }
   return Json::object();
 }

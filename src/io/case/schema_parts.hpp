@@ -70,9 +70,8 @@ template <typename First, typename... Rest>
 Entry bound(Entry entry, First first, Rest... rest)
 {
   using Class = decltype(holder(first));
-  constexpr std::array types{
-      Type::boolean, Type::integer, Type::number,   Type::text,
-      Type::vector3, Type::numbers, Type::snapshots}; // in the order of the alternatives of Value
+  constexpr std::array types{Type::boolean, Type::integer,   Type::number, Type::text, Type::vector3,
+                             Type::numbers, Type::snapshots, Type::words}; // in the order of the alternatives of Value
   const Class none{};
   const Value value = value_of(((none.*first).*....*rest), entry.choices);
   entry.of.type = types.at(value.index());

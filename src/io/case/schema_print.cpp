@@ -173,6 +173,8 @@ std::string allowed_values(const Entry& entry)
            temperature_note;
   case Type::snapshots:
     return "\"none\", \"aligned\", \"all\", \"every N\" or a list of step numbers as in [0, 12]";
+  case Type::words:
+    return fmt::format("one or a list of {}", quoted_list(entry.choices));
   }
   return "";
 }

@@ -157,6 +157,13 @@ std::vector<Entry> solver_entries()
   };
 }
 
+/// A key of a point whose history is recorded.
+Entry point(Entry entry)
+{
+  entry.list = "output.points";
+  return entry;
+}
+
 std::vector<Entry> output_entries()
 {
   std::string aligned;
@@ -167,6 +174,45 @@ std::vector<Entry> output_entries()
                                  "stored. \"aligned\": the step nearest to the middle of each pass{}.",
                                  aligned)},
             &Case::snapshots),
+      bound({.key = "output.fields",
+             .choices = field_words(),
+             .unset = "all, as far as the result stays below 200 MB",
+             .text = "Fields of the stored states. \"surface\": all fields on surfaces, and none within the bodies; "
+                     "\"shear\", \"slip\", \"surface_temperature\" and \"heat_flux\" are the fields of the "
+                     "contact of these names with all their components. Pressure and gap are always stored."},
+            &Case::output, &OutputChoice::fields),
+      bound({.key = "output.bodies",
+             .choices = {"both", "lower", "upper"},
+             .text = "Bodies whose fields are stored, on their surfaces and within them."},
+            &Case::output, &OutputChoice::bodies),
+      bound({.key = "output.depth",
+             .of = kind::length.above(0.0),
+             .unset = "the whole grid",
+             .text = "Depth down to which layers are stored."},
+            &Case::output, &OutputChoice::cells, &StoredCells::depth),
+      bound({.key = "output.region_x",
+             .of = kind::length,
+             .unset = "the whole grid",
+             .text = "First and last x of the stored columns, on the surface of each body; equal numbers store the "
+                     "nearest column, which is a plane. The fields of the contact are stored as a whole."},
+            &Case::output, &OutputChoice::cells, &StoredCells::region_x),
+      bound({.key = "output.region_y",
+             .of = kind::length,
+             .unset = "the whole grid",
+             .text = "First and last y of the stored rows; equal numbers store the nearest row: [0, 0] is the plane "
+                     "y = 0."},
+            &Case::output, &OutputChoice::cells, &StoredCells::region_y),
+      bound({.key = "output.stride",
+             .of = kind::integer.between(1, 1000),
+             .text = "Distance between two stored columns, and between two rows, in cells: 2 stores a quarter of all "
+                     "cells, unchanged, not means over them."},
+            &Case::output, &OutputChoice::cells, &StoredCells::stride),
+      bound({.key = "output.precision",
+             .choices = {"double", "single"},
+             .unset = "double, or single if the result would exceed 200 MB",
+             .text = "How the numbers of the fields are stored; single precision has 7 digits and half of the size. "
+                     "All computing is in double precision."},
+            &Case::output, &OutputChoice::precision),
       bound({.key = "output.directory",
              .unset = "results/NAME",
              .text = "Folder of the results, relative to the current directory; -o on the command line has priority. "
@@ -177,6 +223,20 @@ std::vector<Entry> output_entries()
              .text = "Time between checkpoints, from which brinell run --resume can continue the run. A checkpoint is "
                      "also written when the run is interrupted."},
             &Case::checkpoint_interval),
+      point({.key = "output.points.body",
+             .choices = {"lower", "upper"},
+             .unset = "the lower one",
+             .text = "Body of a point at which each step records stress, plastic strain and temperature in the file "
+                     "points.csv; a table, or a list of tables."}),
+      point({.key = "output.points.x",
+             .of = kind::length,
+             .unset = "0",
+             .text = "x of the point on the surface of its body. The values are those of the cell around the point."}),
+      point({.key = "output.points.y", .of = kind::length, .unset = "0", .text = "y of the point."}),
+      point({.key = "output.points.depth",
+             .of = kind::length.at_least(0.0),
+             .unset = "there is no point",
+             .text = "Depth of the point below the surface."}),
   };
 }
 
@@ -205,7 +265,7 @@ const std::vector<Entry>& case_schema()
     auto all = joined({root_entries(), body_entries("lower"), body_entries("upper"), scenario_entries(),
                        interface_entries(), heat_entries(), grid_entries(), solver_entries(), output_entries()});
     for (Entry& entry : all)
-      if (!entry.choices.empty())
+      if (!entry.choices.empty() && entry.of.type != Type::words)
         entry.of.type = Type::choice;
     return all;
   }();

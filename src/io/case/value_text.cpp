@@ -64,6 +64,13 @@ std::string toml_text(const Value& value)
                    text += (text.empty() ? "" : ", ") + number_text(x);
                  return "[" + text + "]";
                },
+               [](const std::vector<std::string>& words)
+               {
+                 std::string text;
+                 for (const std::string& word : words)
+                   text += (text.empty() ? "" : ", ") + toml_string(word);
+                 return "[" + text + "]";
+               },
                [](const SnapshotRule& rule)
                {
                  return rule.kind == SnapshotRule::Kind::listed ? fmt::format("[{}]", fmt::join(rule.steps, ", "))

@@ -33,6 +33,7 @@ struct Known
 constexpr Known known_files[] = {
     {.name = "summary.json", .within = "brinell-summary"},
     {.name = "history.csv", .begin = "step,pass,", .within = ",energy_residual,"},
+    {.name = "points.csv", .begin = "step,point,"},
     {.name = "result.vtkhdf", .begin = "\x89HDF", .within = result_mark},
     {.name = "resolved.toml", .begin = "scenario = ", .end = "\ncheckpoint_interval = "},
     {.name = checkpoint_file, .end = checkpoint_mark},
@@ -138,6 +139,12 @@ std::vector<std::string> foreign_files(const fs::path& folder)
 }
 
 } // namespace
+
+bool has_earlier_result(const fs::path& folder)
+{
+  return !pieces_in(folder).empty() ||
+         std::ranges::any_of(known_files, [&](const Known& known) { return is_there(folder / known.name); });
+}
 
 bool remove_earlier_result(const fs::path& folder)
 {

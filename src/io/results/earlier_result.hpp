@@ -18,6 +18,9 @@ inline constexpr std::string_view result_mark = "brinell-result";
 inline constexpr std::string_view checkpoint_mark = "brinell-checkpoint";
 inline constexpr std::string_view piece_mark = "brinell-piece";
 
+/// Whether a folder holds files that a run has written.
+[[nodiscard]] bool has_earlier_result(const std::filesystem::path& folder);
+
 /// Removes the files of an earlier run from a folder. The summary is removed first, because without it the remaining files cannot
 /// look like a complete result.
 /// @returns whether there was an earlier result

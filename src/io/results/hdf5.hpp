@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/io/output_choice.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <hdf5.h>
@@ -80,10 +82,11 @@ enum class Storage
 /// Writes numbers with their unit and meaning.
 /// @param Number  double or int
 /// @param shape   slowest index first
+/// @param precision  in which doubles are stored
 template <typename Number>
 void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
-                   Storage storage = Storage::deflated);
+                   Storage storage = Storage::deflated, Precision precision = Precision::double_precision);
 /// A field on the cells of a body, [z][y][x].
 struct Field
 {
@@ -96,7 +99,7 @@ struct Field
 /// thread.
 /// @param shape  of each field, slowest index first
 void write_fields(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                  std::string_view units, Storage storage);
+                  std::string_view units, Storage storage, Precision precision = Precision::double_precision);
 /// Writes a dataset with a single UTF-8 text.
 void write_text(const Handle& group, const char* name, std::string_view text);
 
@@ -116,10 +119,11 @@ struct VirtualPart
   Box source;
 };
 
-/// A virtual dataset of doubles, which stores no data but refers to parts of other datasets.
+/// A virtual dataset of floating-point numbers, which stores no data but refers to parts of other datasets.
 /// @param fill  value where no other dataset is referred to
+/// @param precision  of the datasets referred to
 void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
-                           std::span<const VirtualPart> parts);
+                           std::span<const VirtualPart> parts, Precision precision = Precision::double_precision);
 
 /// Reading and writing of plain numbers. Files are not trusted: types and sizes are checked on reading.
 void write_numbers(const Handle& group, const std::string& name, std::span<const double> values);

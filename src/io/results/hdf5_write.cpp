@@ -28,6 +28,13 @@ hid_t type_of()
   return std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
 }
 
+/// Type of the stored numbers of a field.
+template <typename Number>
+hid_t stored_type(Precision precision)
+{
+  return std::is_same_v<Number, double> && precision == Precision::single ? H5T_NATIVE_FLOAT : type_of<Number>();
+}
+
 /// Text type of variable length, because a fixed length cannot hold an empty string, and in UTF-8 because of titles.
 Handle text_type()
 {
@@ -70,13 +77,15 @@ void write_list_attribute(const Handle& object, const char* name, std::span<cons
   write_attribute_of(object, name, type_of<Number>(), {&size, 1}, values.data());
 }
 
-/// @param data  nullptr: the dataset is created without writing data
+/// @param data    nullptr: the dataset is created without writing data
+/// @param stored  type in the file; HDF5 converts
 Handle write_dataset_of(const Handle& group, const std::string& name, hid_t type, std::span<const hsize_t> shape,
-                        const void* data, hid_t creation = H5P_DEFAULT)
+                        const void* data, hid_t creation = H5P_DEFAULT, hid_t stored = H5I_INVALID_HID)
 {
   const std::string what = fmt::format("write the dataset {}", name);
-  Handle dataset = checked(
-      H5Dcreate2(group.id(), name.c_str(), type, space_of(shape).id(), H5P_DEFAULT, creation, H5P_DEFAULT), what);
+  Handle dataset = checked(H5Dcreate2(group.id(), name.c_str(), stored == H5I_INVALID_HID ? type : stored,
+                                      space_of(shape).id(), H5P_DEFAULT, creation, H5P_DEFAULT),
+                           what);
   if (data)
     check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), what);
   return dataset;
@@ -195,13 +204,14 @@ std::vector<double> numbers_of(const Chunk& chunk, std::span<const hsize_t> shap
 
 /// A chunk as the HDF5 filters shuffle and deflate store it: the first bytes of all numbers, then their second bytes and so on,
 /// as a zlib stream. Unlike HDF5, this function may be called by several threads at the same time.
-std::vector<unsigned char> shuffled_and_deflated(std::span<const double> numbers)
+template <typename Number>
+std::vector<unsigned char> shuffled_and_deflated(std::span<const Number> numbers)
 {
   const std::span<const std::byte> bytes = std::as_bytes(numbers);
   std::vector<unsigned char> shuffled(bytes.size());
-  for (std::size_t byte = 0; byte < sizeof(double); ++byte)
+  for (std::size_t byte = 0; byte < sizeof(Number); ++byte)
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      shuffled[byte * numbers.size() + i] = std::to_integer<unsigned char>(bytes[i * sizeof(double) + byte]);
+      shuffled[byte * numbers.size() + i] = std::to_integer<unsigned char>(bytes[i * sizeof(Number) + byte]);
   uLongf size = compressBound(shuffled.size());
   std::vector<unsigned char> deflated(size);
   if (compress2(deflated.data(), &size, shuffled.data(), shuffled.size(), deflate_level) != Z_OK)
@@ -211,9 +221,17 @@ std::vector<unsigned char> shuffled_and_deflated(std::span<const double> numbers
   return deflated;
 }
 
+std::vector<unsigned char> shuffled_and_deflated(const std::vector<double>& numbers, Precision precision)
+{
+  if (precision == Precision::double_precision)
+    return shuffled_and_deflated(std::span<const double>(numbers));
+  const std::vector<float> singles(numbers.begin(), numbers.end());
+  return shuffled_and_deflated(std::span<const float>(singles));
+}
+
 /// Writes fields whose chunks are compressed by all threads.
 void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                    std::string_view units)
+                    std::string_view units, Precision precision)
 {
   if (shape.size() != 3)
     throw InternalError(fmt::format("write_fields: the shape has {} sides; allowed: 3", shape.size()));
@@ -230,7 +248,7 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
   for (Chunk& chunk : chunks_of_all)
     try
     {
-      chunk.stored = shuffled_and_deflated(numbers_of(chunk, dims, sides));
+      chunk.stored = shuffled_and_deflated(numbers_of(chunk, dims, sides), precision);
     }
     catch (...)
     {
@@ -243,7 +261,8 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
   for (const Field& field : fields)
   {
     const std::string what = fmt::format("write the dataset {}", field.name);
-    const Handle dataset = write_dataset_of(group, field.name, type_of<double>(), dims, nullptr, creation.id());
+    const Handle dataset =
+        write_dataset_of(group, field.name, stored_type<double>(precision), dims, nullptr, creation.id());
     constexpr std::uint32_t all_filters = 0;
     for (const Chunk& chunk : chunks_of_all)
       if (chunk.field == &field)
@@ -260,28 +279,28 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
 template <typename Number>
 void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
-                   Storage storage)
+                   Storage storage, Precision precision)
 {
   require_values(name, values.size(), shape);
   const std::vector<hsize_t> dims(shape.begin(), shape.end());
-  const Handle dataset =
-      write_dataset_of(group, name, type_of<Number>(), dims, values.data(), chunks(dims, storage).id());
+  const Handle dataset = write_dataset_of(group, name, type_of<Number>(), dims, values.data(),
+                                          chunks(dims, storage).id(), stored_type<Number>(precision));
   write_attribute(dataset, "units", units);
   write_attribute(dataset, "long_name", long_name);
 }
 
 template void write_dataset(const Handle&, const char*, const std::vector<double>&, std::span<const std::size_t>,
-                            std::string_view, std::string_view, Storage);
+                            std::string_view, std::string_view, Storage, Precision);
 template void write_dataset(const Handle&, const char*, const std::vector<int>&, std::span<const std::size_t>,
-                            std::string_view, std::string_view, Storage);
+                            std::string_view, std::string_view, Storage, Precision);
 
 void write_fields(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                  std::string_view units, Storage storage)
+                  std::string_view units, Storage storage, Precision precision)
 {
   if (storage == Storage::deflated)
-    return write_deflated(group, fields, shape, units);
+    return write_deflated(group, fields, shape, units, precision);
   for (const Field& field : fields)
-    write_dataset(group, field.name, field.values, shape, units, field.long_name, storage);
+    write_dataset(group, field.name, field.values, shape, units, field.long_name, storage, precision);
 }
 
 void write_text(const Handle& group, const char* name, std::string_view text)
@@ -292,7 +311,7 @@ void write_text(const Handle& group, const char* name, std::string_view text)
 }
 
 void write_virtual_dataset(const Handle& group, const char* name, std::span<const hsize_t> shape, double fill,
-                           std::span<const VirtualPart> parts)
+                           std::span<const VirtualPart> parts, Precision precision)
 {
   const std::string what = fmt::format("write the virtual dataset {}", name);
   const Handle creation = properties(H5P_DATASET_CREATE);
@@ -301,7 +320,7 @@ void write_virtual_dataset(const Handle& group, const char* name, std::span<cons
     check(H5Pset_virtual(creation.id(), selection(shape, part.target).id(), part.file.c_str(), part.dataset.c_str(),
                          selection(part.shape, part.source).id()),
           what);
-  (void)write_dataset_of(group, name, H5T_NATIVE_DOUBLE, shape, nullptr, creation.id());
+  (void)write_dataset_of(group, name, stored_type<double>(precision), shape, nullptr, creation.id());
 }
 
 void write_numbers(const Handle& group, const std::string& name, std::span<const double> values)

@@ -57,13 +57,13 @@ void add_row(std::vector<HistoryColumn>& table, const std::vector<NamedNumber>& 
 }
 
 HistoryWriter::HistoryWriter(std::filesystem::path path, const std::vector<NamedNumber>& record,
-                             const Archive::Fields* checkpoint)
+                             const Archive::Fields* checkpoint, std::string_view name)
     : path_(std::move(path)), columns_(columns_of(record))
 {
   if (checkpoint)
   {
     Archive archive(*checkpoint);
-    archive("history", *this);
+    archive(std::string(name), *this);
   }
   std::string text = history_header(record) + '\n';
   std::vector<NamedNumber> row = record;

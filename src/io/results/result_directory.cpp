@@ -2,6 +2,7 @@
 #include "brinell/io/result_directory.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/point_history.hpp"
 #include "brinell/io/versions.hpp"
 #include "case_difference.hpp"
 #include "earlier_result.hpp"
@@ -164,10 +165,15 @@ struct ResultDirectory::State
   State(const fs::path& folder, const Case& c, Mode mode)
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
         lock(path), checkpoint(checkpoint_to_resume(path, c, mode)),
-        replaced(!checkpoint && remove_earlier_result(path) && mode == Mode::replace),
+        replaced(!checkpoint && removed_earlier_result(path, mode) && mode == Mode::replace),
         history(path / "history.csv", columns_of(c.scenario), checkpoint ? &*checkpoint : nullptr),
         result(path, c, history.columns(), checkpoint ? &*checkpoint : nullptr)
   {
+    if (!c.output.points.empty())
+    {
+      points.emplace(path / "points.csv", point_columns(), checkpoint ? &*checkpoint : nullptr, "points");
+      result.set_points(points->columns());
+    }
     write_resolved(path / "resolved.toml", c.values);
   }
 
@@ -176,11 +182,20 @@ struct ResultDirectory::State
     return mode == Mode::resume ? resumable(folder, c) : std::nullopt;
   }
 
+  static bool removed_earlier_result(const fs::path& folder, Mode mode)
+  {
+    if (mode == Mode::keep && has_earlier_result(folder))
+      throw InputError(
+          fmt::format("{}: holds an earlier result, which is to be kept; allowed: another folder", folder.string()));
+    return remove_earlier_result(folder);
+  }
+
   fs::path path;
   FolderLock lock; // acquired before any file in the folder is changed
   std::optional<Archive::Fields> checkpoint;
   bool replaced;
   HistoryWriter history;
+  std::optional<HistoryWriter> points;
   ResultFile result;
 };
 
@@ -217,12 +232,19 @@ void ResultDirectory::add(int step, const std::vector<NamedNumber>& columns, con
   state_->result.add_step(step, columns, fields);
 }
 
+void ResultDirectory::add_point(const std::vector<NamedNumber>& row)
+{
+  state_->points.value().add(row);
+}
+
 void ResultDirectory::add_checkpoint(const std::function<void(Archive&)>& state)
 {
   const auto with_results = [&](Archive& archive)
   {
     state(archive);
     archive("history", state_->history);
+    if (state_->points)
+      archive("points", *state_->points);
     archive("result", state_->result);
   };
   write_checkpoint(state_->path / checkpoint_file, with_results);

@@ -4,11 +4,13 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/io/citations.hpp"
+#include "brinell/io/feasibility.hpp"
 #include "brinell/io/result_image.hpp"
 #include "brinell/io/versions.hpp"
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
 #include "io/files.hpp"
+#include "stored_parts.hpp"
 #include "surface_fields.hpp"
 
 #include <algorithm>
@@ -38,14 +40,35 @@ constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
 using simulation::StepFields;
 using simulation::TensorField;
 
+/// Where the file is written; in memory, nothing is compressed.
+enum class Place
+{
+  disk,
+  memory
+};
+
+h5::Storage storage_of(Place place, h5::Storage on_disk)
+{
+  return place == Place::memory ? h5::Storage::contiguous : on_disk;
+}
+
+/// Where a state is written, and how its fields are stored.
+struct Form
+{
+  Place place = Place::disk;
+  Precision precision = Precision::double_precision;
+
+  [[nodiscard]] h5::Storage storage(h5::Storage on_disk) const { return storage_of(place, on_disk); }
+};
+
 void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
                   std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
-                  h5::Storage storage)
+                  h5::Storage storage, Precision precision)
 {
   std::vector<h5::Field> fields;
   for (std::size_t c = 0; c < components.size(); ++c)
     fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
-  h5::write_fields(h5::create_group(parent, name), fields, shape, units, storage);
+  h5::write_fields(h5::create_group(parent, name), fields, shape, units, storage, precision);
 }
 
 std::vector<double> von_mises_field(const TensorField& stress)
@@ -59,56 +82,51 @@ std::vector<double> von_mises_field(const TensorField& stress)
   return result;
 }
 
-/// Where the file is written; in memory, nothing is compressed.
-enum class Place
-{
-  disk,
-  memory
-};
-
-h5::Storage storage_of(Place place, h5::Storage on_disk)
-{
-  return place == Place::memory ? h5::Storage::contiguous : on_disk;
-}
-
 /// Writes those fields on a surface that exist; fields of bodies that stay elastic may be empty.
 void write_fields(const h5::Handle& group, std::span<const SurfaceField> fields, std::span<const std::size_t> shape,
-                  Place place)
+                  const Form& form)
 {
   for (const SurfaceField& field : fields)
     if (!field.values.empty())
       h5::write_dataset(group, field.name, field.values, shape, field.unit, field.text,
-                        storage_of(place, h5::Storage::deflated));
+                        form.storage(h5::Storage::deflated), form.precision);
 }
 
-void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot, Place place)
+void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot, const Form& form)
 {
   const h5::Handle group = h5::create_group(parent, "contact");
   const SurfaceGrid& grid = snapshot.contact;
   h5::write_attribute(group, "spacing", std::array{grid.dx, grid.dy});
   h5::write_attribute(group, "origin", std::array{snapshot.x0, snapshot.y0});
   write_fields(group, surface_fields(snapshot),
-               std::array{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)}, place);
+               std::array{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)}, form);
 }
 
 /// Writes the fields within a body one after the other, so that only one of them is in memory at a time.
 void write_within(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
-                  Place place)
+                  const Form& form)
 {
-  const h5::Storage deflated = storage_of(place, h5::Storage::deflated), plain = storage_of(place, h5::Storage::plain);
+  const h5::Storage deflated = form.storage(h5::Storage::deflated), plain = form.storage(h5::Storage::plain);
+  const auto write =
+      [&](const char* name, const std::vector<double>& field, const char* unit, const char* text, h5::Storage storage)
+  { h5::write_dataset(group, name, field, volume, unit, text, storage, form.precision); };
   if (within.equivalent_plastic_strain)
-    h5::write_dataset(group, "equivalent_plastic_strain", within.equivalent_plastic_strain(), volume, "1",
-                      "accumulated equivalent plastic strain", deflated);
+    write("equivalent_plastic_strain", within.equivalent_plastic_strain(), "1", "accumulated equivalent plastic strain",
+          deflated);
   if (within.temperature)
-    h5::write_dataset(group, "temperature", within.temperature(), volume, "degC", "temperature", deflated);
+    write("temperature", within.temperature(), "degC", "temperature", deflated);
   if (within.plastic_strain)
-    write_tensor(group, "plastic_strain", within.plastic_strain(), volume, "1", "plastic strain", deflated);
+    write_tensor(group, "plastic_strain", within.plastic_strain(), volume, "1", "plastic strain", deflated,
+                 form.precision);
   if (!within.stress)
     return;
   const TensorField stress = within.stress();
-  write_tensor(group, "stress", stress, volume, "Pa",
-               "stress of contact, plastic strain, heat and before the first load, tension positive", plain);
-  h5::write_dataset(group, "von_mises_stress", von_mises_field(stress), volume, "Pa", "von Mises stress", plain);
+  if (within.keeps_stress)
+    write_tensor(group, "stress", stress, volume, "Pa",
+                 "stress of contact, plastic strain, heat and before the first load, tension positive", plain,
+                 form.precision);
+  if (within.keeps_von_mises)
+    write("von_mises_stress", von_mises_field(stress), "Pa", "von Mises stress", plain);
 }
 
 /// Copies the fields within a body from the group of a body with the same fields, so that they are neither computed nor
@@ -122,7 +140,7 @@ void copy_within(const h5::Handle& alike, const h5::Handle& group)
 
 /// @param alike  group of a body with the same fields within; nullptr: there is none
 h5::Handle write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
-                      const StepFields::Within& within, Place place, const h5::Handle* alike)
+                      const StepFields::Within& within, const Form& form, const h5::Handle* alike)
 {
   h5::Handle group = h5::create_group(parent, name);
   const VolumeGrid& grid = body.grid;
@@ -130,28 +148,30 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
   const std::array origin{body.x0, body.y0, 0.5 * grid.dz};
   h5::write_attribute(group, "spacing", spacing);
   h5::write_attribute(group, "origin", origin);
+  h5::write_attribute(group, "cells", std::array{grid.surface.nx, grid.surface.ny, grid.nz});
   h5::write_attribute(group, "contact_x", body.contact_x);
+  h5::write_attribute(group, "is_rigid", body.is_rigid ? 1 : 0);
   const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
                           static_cast<std::size_t>(grid.surface.nx)};
-  write_fields(group, surface_fields(body), std::span(volume).subspan(1), place);
+  write_fields(group, surface_fields(body), std::span(volume).subspan(1), form);
   if (alike != nullptr)
     copy_within(*alike, group);
   else
-    write_within(group, within, volume, place);
+    write_within(group, within, volume, form);
   return group;
 }
 
 /// Writes the fields of a step, and its row of the history as attributes: docs/reference/results-format.md.
 /// @throws IoError; InternalError if a field does not fit its grid
 void write_state(const h5::Handle& group, const std::vector<NamedNumber>& columns, const StepFields& fields,
-                 Place place = Place::disk)
+                 const Form& form)
 {
   for (const NamedNumber& column : columns)
     std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
                column.value);
-  write_contact(group, fields.surfaces, place);
-  const h5::Handle lower = write_body(group, "lower", fields.surfaces.lower, fields.lower, place, nullptr);
-  (void)write_body(group, "upper", fields.surfaces.upper, fields.upper, place, fields.are_alike ? &lower : nullptr);
+  write_contact(group, fields.surfaces, form);
+  const h5::Handle lower = write_body(group, "lower", fields.surfaces.lower, fields.lower, form, nullptr);
+  (void)write_body(group, "upper", fields.surfaces.upper, fields.upper, form, fields.are_alike ? &lower : nullptr);
 }
 
 /// Upper bound for the size of the file of a state [bytes], with more fields than there are and without compression.
@@ -164,10 +184,12 @@ std::uintmax_t largest_size(const StepFields& fields)
   return numbers * sizeof(double) + around;
 }
 
-void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& history, Place place)
+/// Writes a table as a group of columns.
+void write_table(const h5::Handle& file, const char* name_of_table, const std::vector<HistoryColumn>& history,
+                 Place place)
 {
   const h5::Storage storage = storage_of(place, h5::Storage::deflated);
-  const h5::Handle group = h5::create_ordered_group(file, "history");
+  const h5::Handle group = h5::create_ordered_group(file, name_of_table);
   for (const HistoryColumn& column : history)
   {
     if (column.values.empty())
@@ -183,8 +205,10 @@ void write_history(const h5::Handle& file, const std::vector<HistoryColumn>& his
 }
 
 /// Writes the content of a result file other than the fields.
+/// @param points  histories of points; nullptr: there are none
 void write_description(const h5::Handle& file, const Description& description,
-                       const std::vector<HistoryColumn>& history, Place place = Place::disk)
+                       const std::vector<HistoryColumn>& history, const std::vector<HistoryColumn>* points,
+                       Place place = Place::disk)
 {
   const Versions versions = library_versions();
   h5::write_attribute(file, "format", "brinell-result");
@@ -198,7 +222,9 @@ void write_description(const h5::Handle& file, const Description& description,
   h5::write_attribute(file, "created", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   h5::write_text(file, "case", description.case_text);
   h5::write_text(file, "sources", description.sources);
-  write_history(file, history, place);
+  write_table(file, "history", history, place);
+  if (points != nullptr)
+    write_table(file, "points", *points, place);
 }
 
 std::string group_of_step(int step)
@@ -232,7 +258,7 @@ std::string ResultFile::Piece::group() const
 
 ResultFile::ResultFile(fs::path folder, const Case& c, const std::vector<HistoryColumn>& history,
                        const Archive::Fields* checkpoint)
-    : folder_(std::move(folder)), description_(c), history_(history)
+    : folder_(std::move(folder)), description_(c), parts_(stored_parts(c, plan_case(c))), history_(history)
 {
   if (checkpoint)
   {
@@ -259,18 +285,19 @@ void ResultFile::add_final(int step, const std::vector<NamedNumber>& columns, co
   add({step, true}, columns, fields);
 }
 
-void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const StepFields& fields)
+void ResultFile::add(Piece piece, const std::vector<NamedNumber>& columns, const StepFields& whole)
 {
+  const StepFields fields = chosen_fields(whole, piece.is_final ? parts_.in_final : parts_.in_steps, parts_);
   std::error_code error;
   fs::create_directories(folder_ / pieces_folder, error); // an error is reported when the file is created
   Replacement replacement(path_of(piece));
   replacement.require_room(largest_size(fields));
   h5::Handle file = h5::create_file(replacement.part());
-  write_state(h5::create_group(file, piece_group), columns, fields);
+  write_state(h5::create_group(file, piece_group), columns, fields, {Place::disk, parts_.precision});
   h5::close_file(std::move(file));
   replacement.seal(piece_mark);
   replacement.commit();
-  piece.layout = layout_of(fields);
+  piece.layout = layout_of(fields, parts_.precision);
   pieces_.push_back(piece);
   if (!piece.is_final) // after the final state, the pieces are merged
     write_linked();
@@ -294,7 +321,7 @@ void ResultFile::write_linked() const
 {
   constexpr std::size_t growth = 1 << 16; // small, because HDF5 clears the memory
   h5::Handle file = h5::create_file_in_memory(growth);
-  write_description(file, description_, history_,
+  write_description(file, description_, history_, points_,
                     Place::memory); // uncompressed, because compressing the history took most of the time
   std::vector<StoredState> states;
   {
@@ -333,7 +360,7 @@ void ResultFile::write_merged(const std::string& summary) const
   Replacement replacement(folder_ / file_name);
   replacement.require_room(size_of_pieces());
   h5::Handle file = h5::create_file(replacement.part());
-  write_description(file, description_, history_);
+  write_description(file, description_, history_, points_);
   h5::write_text(file, "summary", summary);
   std::vector<StoredState> states;
   {
@@ -358,15 +385,21 @@ void ResultFile::write_merged(const std::string& summary) const
 
 struct ResultImage::State
 {
-  explicit State(const Case& c) : description(c) { (void)h5::create_group(file, "steps"); }
-
-  void add(const std::string& name, const std::vector<NamedNumber>& columns, const StepFields& fields) const
+  explicit State(const Case& c) : description(c), parts(stored_parts(c, plan_case(c)))
   {
-    write_state(h5::create_group(file, name), columns, fields, Place::memory);
+    (void)h5::create_group(file, "steps");
+  }
+
+  void add(const std::string& name, const std::vector<NamedNumber>& columns, const StepFields& fields,
+           const std::vector<std::string>& words) const
+  {
+    write_state(h5::create_group(file, name), columns, chosen_fields(fields, words, parts),
+                {Place::memory, parts.precision});
   }
 
   Description description;
-  std::vector<HistoryColumn> history{};
+  StoredParts parts;
+  std::vector<HistoryColumn> history{}, points{};
   h5::Handle file = h5::create_file_in_memory();
 };
 
@@ -380,19 +413,25 @@ void ResultImage::add(const std::vector<NamedNumber>& columns)
   add_row(state_->history, columns);
 }
 
+void ResultImage::add_point(const std::vector<NamedNumber>& row)
+{
+  add_row(state_->points, row);
+}
+
 void ResultImage::add(int step, const std::vector<NamedNumber>& columns, const StepFields& fields)
 {
-  state_->add(group_of_step(step), columns, fields);
+  state_->add(group_of_step(step), columns, fields, state_->parts.in_steps);
 }
 
 void ResultImage::add_final(const StepFields& final_state, const std::vector<NamedNumber>& last_columns)
 {
-  state_->add(final_group, last_columns, final_state);
+  state_->add(final_group, last_columns, final_state, state_->parts.in_final);
 }
 
 void ResultImage::finish(const std::string& summary)
 {
-  write_description(state_->file, state_->description, state_->history, Place::memory);
+  write_description(state_->file, state_->description, state_->history,
+                    state_->points.empty() ? nullptr : &state_->points, Place::memory);
   h5::write_text(state_->file, "summary", summary);
 }
 

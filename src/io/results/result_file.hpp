@@ -33,6 +33,9 @@ public:
   ResultFile(std::filesystem::path folder, const Case& c, const std::vector<HistoryColumn>& history,
              const Archive::Fields* checkpoint);
 
+  /// Histories of points, which are written with each index; they must outlive this object.
+  void set_points(const std::vector<HistoryColumn>& points) { points_ = &points; }
+
   void add_step(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
   /// The state after the last step.
   void add_final(int step, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
@@ -63,7 +66,9 @@ private:
 
   std::filesystem::path folder_;
   Description description_;
+  StoredParts parts_;
   const std::vector<HistoryColumn>& history_;
+  const std::vector<HistoryColumn>* points_ = nullptr; ///< nullptr: the case has none
   std::vector<Piece> pieces_;
 };
 

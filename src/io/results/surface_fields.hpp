@@ -7,6 +7,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -50,7 +51,7 @@ struct SurfaceField
   return {{
       {"residual_displacement", body.residual_displacement, "m", "residual displacement of the surface, into the body",
        unknown},
-      {"worn_depth", body.worn_depth, "m", "depth that the surface has lost by wear since the start", unknown},
+      {"worn_depth", body.worn_depth, "m", "depth that the surface has lost by wear since the start"},
       {"height", body.height, "m", "height of the surface as it is now, with its texture, out of the body", unknown},
   }};
 }
@@ -66,6 +67,13 @@ struct FieldsThere : std::array<bool, std::tuple_size_v<decltype(surface_fields(
                            [](const SurfaceField& field) { return !field.values.empty(); });
   }
   [[nodiscard]] bool any() const { return std::ranges::count(*this, true) > 0; }
+
+  [[nodiscard]] bool has(std::string_view name) const
+  {
+    bool is_there = false;
+    for_each([&](const SurfaceField& field) { is_there = is_there || field.name == name; });
+    return is_there;
+  }
 
   /// Calls an action with the name and further properties of each field that exists, not with its values.
   template <typename Action>

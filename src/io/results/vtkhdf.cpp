@@ -85,17 +85,24 @@ public:
   /// Function that returns the parts of an array for one state; they refer to datasets in its group.
   using Parts = std::function<std::vector<h5::VirtualPart>(const StateLayout&)>;
 
+  /// A surface of one row loses the axis of the rows: VTK reads an image of points along one axis from arrays of one axis.
   void add(const char* name, const Counts& shape, double fill, const Parts& parts_of)
   {
+    const bool is_one_row = shape.size() == 2 && shape[0] == 1;
     std::vector<h5::VirtualPart> parts;
     for (std::size_t step = 0; step < states_.size(); ++step)
       for (h5::VirtualPart& part : parts_of(states_[step].layout))
+      {
+        if (is_one_row)
+          part.target = {{part.target.start[1]}, {part.target.count[1]}};
         parts.push_back({at(part.target, step), states_[step].file, states_[step].group + "/" + part.dataset,
                          std::move(part.shape), std::move(part.source)});
-    Counts all = shape;
+      }
+    Counts all = is_one_row ? Counts{shape[1]} : shape;
     if (states_.size() > 1)
       all.insert(all.begin(), states_.size());
-    h5::write_virtual_dataset(*data_, name, all, fill, parts);
+    h5::write_virtual_dataset(*data_, name, all, fill, parts,
+                              states_.back().layout.is_single ? Precision::single : Precision::double_precision);
   }
 
   enum class Kind
@@ -105,15 +112,21 @@ public:
     tensor
   };
   /// Adds a field of a body. The image has the grid of the last state; grids of earlier states may be smaller.
-  /// @param beyond  value outside a smaller grid
-  void add_field(const char* name, Kind kind, Body body, double beyond)
+  /// @param beyond    value outside a smaller grid
+  /// @param is_there  whether a state has the field
+  void add_field(const char* name, Kind kind, Body body, double beyond,
+                 const std::function<bool(const BodyLayout&)>& is_there)
   {
     const BodyLayout& all = states_.back().layout.*body;
+    const bool in_all =
+        std::ranges::all_of(states_, [&](const StoredState& state) { return is_there(state.layout.*body); });
     const std::size_t count = kind == Kind::tensor ? vtk_components.size() : 1;
     const auto shape_of = [&](const BodyLayout& b)
     { return kind == Kind::of_surface ? counts(b.grid.surface) : counts(b.grid); };
     const auto parts_of = [&](const StateLayout& layout)
     {
+      if (!is_there(layout.*body))
+        return std::vector<h5::VirtualPart>{};
       const Counts shape = shape_of(layout.*body);
       std::vector<h5::VirtualPart> parts(
           count, {place_of(shape, all, layout.*body), "", fmt::format("{}/{}", body_, name), shape, whole(shape)});
@@ -128,7 +141,7 @@ public:
     Counts shape = shape_of(all);
     if (count > 1)
       shape.push_back(count);
-    add(name, shape, beyond, parts_of);
+    add(name, shape, in_all ? beyond : unknown, parts_of);
   }
 
   /// Makes this group the group Steps of /VTKHDF: VTK 9.7 recognises the time axis of a composite only if /VTKHDF itself has such
@@ -173,40 +186,48 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
   block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, 0.0}, {s.dx, s.dy, body.grid.dz},
               up);
   block.begin("CellData");
-  if (body.has_plastic_strain)
+  const auto add = [&](const char* name, Block::Kind kind, bool BodyLayout::*is_there, double beyond)
   {
-    block.add_field("equivalent_plastic_strain", Block::Kind::of_volume, which, 0.0);
-    block.add_field("plastic_strain", Block::Kind::tensor, which, 0.0);
-  }
-  if (body.has_stress)
-  {
-    block.add_field("von_mises_stress", Block::Kind::of_volume, which, unknown);
-    block.add_field("stress", Block::Kind::tensor, which, unknown);
-  }
-  if (body.has_temperature)
-    block.add_field("temperature", Block::Kind::of_volume, which, unknown);
+    if (body.*is_there)
+      block.add_field(name, kind, which, beyond, std::mem_fn(is_there));
+  };
+  add("equivalent_plastic_strain", Block::Kind::of_volume, &BodyLayout::has_equivalent, 0.0);
+  add("plastic_strain", Block::Kind::tensor, &BodyLayout::has_plastic_strain, 0.0);
+  add("von_mises_stress", Block::Kind::of_volume, &BodyLayout::has_von_mises, unknown);
+  add("stress", Block::Kind::tensor, &BodyLayout::has_stress, unknown);
+  add("temperature", Block::Kind::of_volume, &BodyLayout::has_temperature, unknown);
 }
 
-/// The cells of the contact that lie on the lower body's grid, as a part of the grid of `all`; none if the grids do not overlap.
-std::vector<h5::VirtualPart> contact_part(const char* name, const StateLayout& layout, const BodyLayout& all)
+/// The cells of the contact that lie on the lower body's grid, as parts of the grid of `all`; none if the grids do not overlap.
+/// Two parts where a period goes round.
+std::vector<h5::VirtualPart> contact_parts(const char* name, const StateLayout& layout, const BodyLayout& all)
 {
   const ContactLayout& c = layout.contact;
   const SurfaceGrid& lower = layout.lower.grid.surface;
-  const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
-  const int first_column = std::max(c.column, 0), last_column = std::min(c.column + c.nx, lower.nx);
-  if (first_row >= last_row || first_column >= last_column)
-    return {};
-  const auto box = [&](int row, int column)
-  {
-    return h5::Box{{static_cast<hsize_t>(first_row - row), static_cast<hsize_t>(first_column - column)},
-                   {static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)}};
-  };
-  h5::Box target = box(0, 0);
-  const auto [row, column] = offset(all, layout.lower);
-  target.start[0] += row;
-  target.start[1] += column;
+  const auto [row_of_lower, column_of_lower] = offset(all, layout.lower);
   const Counts shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
-  return {{target, "", fmt::format("contact/{}", name), shape, box(c.row, c.column)}};
+  std::vector<h5::VirtualPart> parts;
+  const auto add = [&](int column)
+  {
+    const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
+    const int first_column = std::max(column, 0), last_column = std::min(column + c.nx, lower.nx);
+    if (first_row >= last_row || first_column >= last_column)
+      return;
+    const Counts count{static_cast<hsize_t>(last_row - first_row), static_cast<hsize_t>(last_column - first_column)};
+    const Counts target{row_of_lower + static_cast<hsize_t>(first_row),
+                        column_of_lower + static_cast<hsize_t>(first_column)};
+    const Counts source{static_cast<hsize_t>(first_row - c.row), static_cast<hsize_t>(first_column - column)};
+    parts.push_back({{target, count}, "", fmt::format("contact/{}", name), shape, {source, count}});
+  };
+  if (!c.goes_round)
+  {
+    add(c.column);
+    return parts;
+  }
+  const int column = (c.column % c.nx + c.nx) % c.nx;
+  add(column);
+  add(column - c.nx);
+  return parts;
 }
 
 /// Writes a surface as points at the centres of the cells, so that ParaView can warp it by its values.
@@ -216,14 +237,22 @@ void write_surface(Block block, Body which, const BodyLayout& body, const Contac
   const SurfaceGrid& s = body.grid.surface;
   block.place({s.nx - 1, s.ny - 1, 0}, {body.x0, body.y0, 0.0}, {s.dx, s.dy, body.grid.dz});
   block.begin("PointData");
-  body.surface.for_each([&](const SurfaceField& field)
-                        { block.add_field(field.name, Block::Kind::of_surface, which, field.elsewhere); });
+  body.surface.for_each(
+      [&](const SurfaceField& field)
+      {
+        block.add_field(field.name, Block::Kind::of_surface, which, field.elsewhere,
+                        [&](const BodyLayout& layout) { return layout.surface.has(field.name); });
+      });
   if (contact != nullptr)
     contact->fields.for_each(
         [&](const SurfaceField& field)
         {
           block.add(field.name, counts(s), field.elsewhere,
-                    [&](const StateLayout& layout) { return contact_part(field.name, layout, body); });
+                    [&](const StateLayout& layout)
+                    {
+                      return layout.contact.fields.has(field.name) ? contact_parts(field.name, layout, body)
+                                                                   : std::vector<h5::VirtualPart>{};
+                    });
         });
 }
 
@@ -233,8 +262,10 @@ BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::Ste
           .x0 = body.x0,
           .y0 = body.y0,
           .surface = FieldsThere(body),
+          .has_equivalent = static_cast<bool>(within.equivalent_plastic_strain),
           .has_plastic_strain = static_cast<bool>(within.plastic_strain),
-          .has_stress = static_cast<bool>(within.stress),
+          .has_stress = within.stress && within.keeps_stress,
+          .has_von_mises = within.stress && within.keeps_von_mises,
           .has_temperature = static_cast<bool>(within.temperature)};
 }
 
@@ -251,8 +282,10 @@ void BodyLayout::exchange(Archive& archive)
   archive("x0", x0);
   archive("y0", y0);
   archive("surface", surface);
+  archive("has_equivalent", has_equivalent);
   archive("has_plastic_strain", has_plastic_strain);
   archive("has_stress", has_stress);
+  archive("has_von_mises", has_von_mises);
   archive("has_temperature", has_temperature);
 }
 
@@ -262,6 +295,7 @@ void ContactLayout::exchange(Archive& archive)
   archive("ny", ny);
   archive("column", column);
   archive("row", row);
+  archive("goes_round", goes_round);
   archive("fields", fields);
 }
 
@@ -270,9 +304,10 @@ void StateLayout::exchange(Archive& archive)
   archive("lower", lower);
   archive("upper", upper);
   archive("contact", contact);
+  archive("is_single", is_single);
 }
 
-StateLayout layout_of(const simulation::StepFields& fields)
+StateLayout layout_of(const simulation::StepFields& fields, Precision precision)
 {
   const simulation::Snapshot& snapshot = fields.surfaces;
   const simulation::BodySnapshot& lower = snapshot.lower;
@@ -287,7 +322,9 @@ StateLayout layout_of(const simulation::StepFields& fields)
                       .ny = grid.ny,
                       .column = static_cast<int>(std::lround(x / grid.dx)),
                       .row = static_cast<int>(std::lround(y / grid.dy)),
-                      .fields = contact}};
+                      .goes_round = grid.is_periodic_x(),
+                      .fields = contact},
+          .is_single = precision == Precision::single};
 }
 
 void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states)
@@ -305,9 +342,12 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
     h5::link_soft(node, name, fmt::format("/VTKHDF/{}", name));
     return Block(root, name, body, count++, states);
   };
-  const auto& [lower, upper, contact] = states.back().layout;
+  const auto& [lower, upper, contact, is_single] = states.back().layout;
   const auto has_volume = [](const BodyLayout& body)
-  { return body.has_plastic_strain || body.has_stress || body.has_temperature; };
+  {
+    return body.has_equivalent || body.has_plastic_strain || body.has_stress || body.has_von_mises ||
+           body.has_temperature;
+  };
   if (has_volume(lower))
     write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower, -1.0);
   if (has_volume(upper))

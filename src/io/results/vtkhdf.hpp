@@ -20,7 +20,8 @@ struct BodyLayout
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
   FieldsThere<simulation::BodySnapshot> surface;
-  bool has_plastic_strain = false, has_stress = false, has_temperature = false;
+  bool has_equivalent = false, has_plastic_strain = false, has_stress = false, has_von_mises = false,
+       has_temperature = false;
 
   void exchange(Archive& archive);
 };
@@ -30,6 +31,7 @@ struct ContactLayout
 {
   int nx = 0, ny = 0;
   int column = 0, row = 0; ///< indices, in the lower body's grid, of the first column and row of the contact
+  bool goes_round = false; ///< the lower body's grid is a period along x with as many columns
   FieldsThere<simulation::Snapshot> fields;
 
   void exchange(Archive& archive);
@@ -39,11 +41,13 @@ struct StateLayout
 {
   BodyLayout lower, upper;
   ContactLayout contact;
+  bool is_single = false; ///< the fields are stored in single precision
 
   void exchange(Archive& archive);
 };
 
-[[nodiscard]] StateLayout layout_of(const simulation::StepFields& fields);
+[[nodiscard]] StateLayout layout_of(const simulation::StepFields& fields,
+                                    Precision precision = Precision::double_precision);
 
 /// A state in a result file.
 struct StoredState

@@ -28,7 +28,7 @@ TEST(Schema, IsConsistent)
     // Exactly one answer to the question what happens if the key is left out; an exclusive pair may have both.
     EXPECT_TRUE(entry.required || entry.fallback || !entry.unset.empty());
     EXPECT_FALSE(entry.required && entry.fallback);
-    EXPECT_EQ(entry.of.type == Type::choice, !entry.choices.empty());
+    EXPECT_EQ(entry.of.type == Type::choice || entry.of.type == Type::words, !entry.choices.empty());
     for (const std::string& other : {entry.when.key, entry.pure_if})
       EXPECT_TRUE(other.empty() || seen.contains(other)) << "depends on " << other << ", which must come before";
     if (!entry.excludes.empty())
@@ -110,6 +110,11 @@ TEST(Schema, OfEditorsHasEveryKey)
       }
     }
     EXPECT_NE(at->at("description").get<std::string>().find(entry.text), std::string::npos);
+    if (entry.of.type == Type::words) // one of the choices, or a list of them
+    {
+      EXPECT_EQ(at->at("anyOf").at(1).at("items"), at->at("anyOf").at(0));
+      at = &at->at("anyOf").at(0);
+    }
     const auto choices = at->value("enum", std::vector<std::string>{});
     EXPECT_EQ(choices, entry.choices);
   }

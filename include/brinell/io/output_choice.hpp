@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Which part of the fields of a run is stored: the table `output` of a case.
+namespace brinell::io
+{
+
+/// Bodies whose fields are stored.
+enum class StoredBodies
+{
+  both,
+  lower,
+  upper
+};
+
+/// How the numbers of the fields are stored.
+enum class Precision
+{
+  double_precision,
+  single
+};
+
+/// Words of `output.fields`: all fields, those on surfaces, those within the bodies, and those on surfaces one by one. Pressure
+/// and gap of the contact are always stored.
+[[nodiscard]] const std::vector<std::string>& field_words();
+
+/// Whether a field is chosen by a list of these words.
+/// @param field  name of its dataset: "shear_x"
+[[nodiscard]] bool chooses(const std::vector<std::string>& words, std::string_view field);
+
+/// The part of the cells of a body that is stored.
+struct StoredCells
+{
+  std::optional<double> depth; ///< of the deepest layer that is stored at least in part [m]
+  /// First and last coordinate on the surface of the body [m]; equal ones choose the nearest column or row.
+  std::optional<std::vector<double>> region_x, region_y;
+  int stride = 1; ///< of the columns and rows
+
+  /// Whether all cells of the bodies are stored.
+  [[nodiscard]] bool is_everything() const { return !depth && !region_x && !region_y && stride == 1; }
+};
+
+/// A point within a body at which each step records stress and strain.
+struct HistoryPoint
+{
+  bool is_upper = false;
+  double x = 0.0, y = 0.0, depth = 0.0; ///< in the coordinates of the body [m]
+};
+
+/// As the case says; unset: what keeps the result small.
+struct OutputChoice
+{
+  std::optional<std::vector<std::string>> fields; ///< out of `field_words`
+  StoredBodies bodies = StoredBodies::both;
+  std::optional<Precision> precision;
+  StoredCells cells;
+  std::vector<HistoryPoint> points;
+};
+
+/// What a run stores.
+struct StoredParts
+{
+  std::vector<std::string> in_steps{"all"}, in_final{"all"}; ///< out of `field_words`
+  StoredBodies bodies = StoredBodies::both;
+  Precision precision = Precision::double_precision;
+  StoredCells cells;
+};
+
+} // namespace brinell::io

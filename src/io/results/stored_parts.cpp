@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stored_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace brinell::io
+{
+
+namespace
+{
+
+using simulation::BodySnapshot;
+using simulation::Snapshot;
+using simulation::StepFields;
+using simulation::TensorField;
+
+/// Word of a field on the contact that is not the name of its dataset.
+std::string_view word_of(std::string_view field)
+{
+  if (field.starts_with("shear_"))
+    return "shear";
+  if (field.starts_with("slip_"))
+    return "slip";
+  if (field.starts_with("temperature_"))
+    return "surface_temperature";
+  if (field.starts_with("heat_flux_"))
+    return "heat_flux";
+  return field;
+}
+
+bool is_within(std::string_view field)
+{
+  constexpr std::array within{"stress", "von_mises_stress", "plastic_strain", "equivalent_plastic_strain",
+                              "temperature"};
+  return std::ranges::find(within, field) != within.end();
+}
+
+/// Indices of cells along an axis, evenly spaced.
+struct Taken
+{
+  int first = 0, count = 0, stride = 1;
+};
+
+/// Cells along an axis in a region. Which cells a stride takes depends on their coordinates only, so that grids of the same
+/// lattice agree, whether one has grown or lies elsewhere.
+/// @param first  centre of cell 0 on the body [m]
+Taken taken_along(int cells, double first, double size, const std::optional<std::vector<double>>& region, int stride)
+{
+  int begin = 0, end = cells;
+  if (region)
+  {
+    constexpr double rounding = 1e-6;
+    begin = static_cast<int>(std::ceil(std::clamp((region->front() - first) / size - rounding, 0.0, cells - 1.0)));
+    end = 1 + static_cast<int>(std::floor(std::clamp((region->back() - first) / size + rounding, 0.0, cells - 1.0)));
+    if (end <= begin) // no centre lies between: the nearest one
+    {
+      const double middle = 0.5 * (region->front() + region->back());
+      begin = static_cast<int>(std::lround(std::clamp((middle - first) / size, 0.0, cells - 1.0)));
+      end = begin + 1;
+    }
+  }
+  const int number = static_cast<int>(std::floor(0.5 * std::round(2.0 * (first / size + begin)))); // of the first cell
+  const int start = begin + ((-number) % stride + stride) % stride;
+  if (start >= end)
+    return {begin, 1, stride};
+  return {start, (end - start + stride - 1) / stride, stride};
+}
+
+/// The cells of a box of a field, [z][y][x].
+std::vector<double> part_of(const std::vector<double>& field, const SurfaceGrid& grid, int layers, const Taken& x,
+                            const Taken& y)
+{
+  std::vector<double> part;
+  if (field.empty())
+    return part;
+  part.reserve(static_cast<std::size_t>(layers) * y.count * x.count);
+  for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < y.count; ++j)
+    {
+      const std::size_t row =
+          (static_cast<std::size_t>(k) * grid.ny + static_cast<std::size_t>(y.first + j * y.stride)) * grid.nx;
+      for (int i = 0; i < x.count; ++i)
+        part.push_back(field[row + static_cast<std::size_t>(x.first + i * x.stride)]);
+    }
+  return part;
+}
+
+struct TakenOfBody
+{
+  Taken x, y;
+  int layers = 0;
+};
+
+TakenOfBody taken_of(const VolumeGrid& grid, double x0, double y0, const StoredCells& cells)
+{
+  constexpr double rounding = 1e-9;
+  const SurfaceGrid& surface = grid.surface;
+  const int layers =
+      cells.depth ? static_cast<int>(std::ceil(std::min(*cells.depth / grid.dz - rounding, 1.0 * grid.nz))) : grid.nz;
+  return {taken_along(surface.nx, x0, surface.dx, cells.region_x, cells.stride),
+          taken_along(surface.ny, y0, surface.dy, cells.region_y, cells.stride), std::max(1, layers)};
+}
+
+VolumeGrid grid_of(const VolumeGrid& grid, const TakenOfBody& taken)
+{
+  VolumeGrid part = grid;
+  part.surface.nx = taken.x.count;
+  part.surface.ny = taken.y.count;
+  part.surface.dx *= taken.x.stride;
+  part.surface.dy *= taken.y.stride;
+  part.nz = taken.layers;
+  return part;
+}
+
+void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cells)
+{
+  const VolumeGrid grid = body.grid;
+  const TakenOfBody taken = taken_of(grid, body.x0, body.y0, cells);
+  const auto cut_field = [=](const std::vector<double>& field, int layers)
+  { return part_of(field, grid.surface, layers, taken.x, taken.y); };
+  for (std::vector<double>* field : {&body.residual_displacement, &body.worn_depth, &body.height})
+    *field = cut_field(*field, 1);
+  for (auto* field : {&within.equivalent_plastic_strain, &within.temperature})
+    if (*field)
+      *field = [=, whole = *field] { return cut_field(whole(), taken.layers); };
+  for (auto* tensor : {&within.plastic_strain, &within.stress})
+    if (*tensor)
+      *tensor = [=, whole = *tensor]
+      {
+        TensorField field = whole();
+        for (std::vector<double>& component : field)
+          component = cut_field(component, taken.layers);
+        return field;
+      };
+  body.grid = grid_of(grid, taken);
+  body.x0 += taken.x.first * grid.surface.dx;
+  body.y0 += taken.y.first * grid.surface.dy;
+}
+
+/// Takes every n-th cell of the contact, those that are taken on the lower body, too.
+void cut(Snapshot& contact, const StoredCells& cells)
+{
+  const SurfaceGrid grid = contact.contact;
+  const Taken x = taken_along(grid.nx, contact.x0 + contact.lower.contact_x, grid.dx, std::nullopt, cells.stride),
+              y = taken_along(grid.ny, contact.y0, grid.dy, std::nullopt, cells.stride);
+  const auto cut_fields = [&](auto&... fields) { ((fields = part_of(fields, grid, 1, x, y)), ...); };
+  cut_fields(contact.pressure, contact.gap, contact.shear[0], contact.shear[1], contact.slip[0], contact.slip[1],
+             contact.slip_path, contact.friction_heat, contact.temperature[0], contact.temperature[1],
+             contact.heat_flux[0], contact.heat_flux[1]);
+  contact.contact.nx = x.count;
+  contact.contact.ny = y.count;
+  contact.contact.dx *= x.stride;
+  contact.contact.dy *= y.stride;
+  contact.x0 += x.first * grid.dx;
+  contact.y0 += y.first * grid.dy;
+}
+
+/// Drops the fields of a body that are not chosen.
+void choose(BodySnapshot& body, StepFields::Within& within, const std::vector<std::string>& words, bool is_stored)
+{
+  const auto keeps = [&](std::string_view field) { return is_stored && chooses(words, field); };
+  const auto drop = [&](std::string_view name, auto& field)
+  {
+    if (!keeps(name))
+      field = {};
+  };
+  drop("residual_displacement", body.residual_displacement);
+  drop("worn_depth", body.worn_depth);
+  drop("height", body.height);
+  drop("equivalent_plastic_strain", within.equivalent_plastic_strain);
+  drop("temperature", within.temperature);
+  drop("plastic_strain", within.plastic_strain);
+  within.keeps_stress = keeps("stress");
+  within.keeps_von_mises = keeps("von_mises_stress");
+  if (!within.keeps_stress && !within.keeps_von_mises)
+    within.stress = {};
+}
+
+} // namespace
+
+const std::vector<std::string>& field_words()
+{
+  static const std::vector<std::string> words{"all",
+                                              "surface",
+                                              "stress",
+                                              "von_mises_stress",
+                                              "plastic_strain",
+                                              "equivalent_plastic_strain",
+                                              "temperature",
+                                              "residual_displacement",
+                                              "worn_depth",
+                                              "height",
+                                              "shear",
+                                              "slip",
+                                              "friction_heat",
+                                              "surface_temperature",
+                                              "heat_flux"};
+  return words;
+}
+
+bool chooses(const std::vector<std::string>& words, std::string_view field)
+{
+  const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
+  return field == "pressure" || field == "gap" || has("all") || has(is_within(field) ? field : word_of(field)) ||
+         (has("surface") && !is_within(field));
+}
+
+StepFields chosen_fields(const StepFields& fields, const std::vector<std::string>& words, const StoredParts& parts)
+{
+  StepFields chosen = fields;
+  Snapshot& s = chosen.surfaces;
+  const auto drop = [&](std::string_view name, std::vector<double>& field)
+  {
+    if (!chooses(words, name))
+      field.clear();
+  };
+  drop("shear_x", s.shear[0]);
+  drop("shear_y", s.shear[1]);
+  drop("slip_x", s.slip[0]);
+  drop("slip_y", s.slip[1]);
+  drop("slip_path", s.slip_path);
+  drop("friction_heat", s.friction_heat);
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    drop("temperature_lower", s.temperature[side]);
+    drop("heat_flux_lower", s.heat_flux[side]);
+  }
+  choose(s.lower, chosen.lower, words, parts.bodies != StoredBodies::upper);
+  choose(s.upper, chosen.upper, words, parts.bodies != StoredBodies::lower);
+  if (!parts.cells.is_everything())
+  {
+    cut(s.lower, chosen.lower, parts.cells);
+    cut(s.upper, chosen.upper, parts.cells);
+    if (parts.cells.stride > 1)
+      cut(s, parts.cells);
+  }
+  chosen.are_alike = fields.are_alike && parts.bodies == StoredBodies::both && parts.cells.is_everything();
+  return chosen;
+}
+
+VolumeGrid stored_grid(const VolumeGrid& grid, double x0, double y0, const StoredCells& cells)
+{
+  return grid_of(grid, taken_of(grid, x0, y0, cells));
+}
+
+} // namespace brinell::io
