@@ -11,6 +11,7 @@
 #include "shear_waves.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace brinell::halfspace
 {
@@ -156,6 +157,11 @@ bool TractionCompliance::couples() const
 double TractionCompliance::along_over_across() const
 {
   return 1.0 + operator_->constants.along / operator_->constants.normal;
+}
+
+double TractionCompliance::contact_modulus() const
+{
+  return 1.0 / (std::numbers::pi * operator_->constants.normal);
 }
 
 double TractionCompliance::largest_of_shear() const

@@ -4,6 +4,7 @@
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/error.hpp"
 #include "heat.hpp"
+#include "records.hpp"
 #include "run_state.hpp"
 
 #include <algorithm>
@@ -64,20 +65,22 @@ public:
             is_pressing
                 ? fmt::format("step {}, pressing", done_)
                 : fmt::format("step {}, cycle {}, {} = {:g} {}", done_, cycle(), by_force() ? "force" : "displacement",
-                              share(done_ + 1.0) * case_.amplitude, by_force() ? "N" : "m")};
+                              share(done_ + 1.0) * case_.amplitude, by_force() ? "N" : "m"),
+            !is_pressing};
   }
 
-  void read(Stepper& stepper, const FrettingRecord& /*before*/, FrettingRecord& r)
+  void read(Stepper& stepper, const FrettingRecord& before, FrettingRecord& r)
   {
     r.cycle = cycle();
     r.pass = std::max(1, r.cycle);
     r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
-    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
+    const double trapezoid = 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
     previous_.F_n = r.F_n;
     previous_.approach = r.approach;
     const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
     if (slip != nullptr)
       read(*slip, r);
+    r.work += r.cycle > 0 ? trapezoid : work_of_pressing(before, r, trapezoid);
     if (r.cycle > 0)
       add_to_cycle(r);
     if (r.cycle > 0 && slip != nullptr)
@@ -215,7 +218,7 @@ private:
     r.work += slip.work() - previous_.along;
     previous_.along = slip.work();
     r.dissipation_friction = slip.heat();
-    r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
+    r.stick_share = slip.stick_share();
     r.stick_area = r.stick_share * r.contact_area;
     r.slip_path = *std::max_element(slip.path().begin(), slip.path().end());
   }

@@ -70,6 +70,7 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   f.documented.push_back(slip);
   f.slides =
       c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
+  f.may_stick = !f.slides;
   if (c.frequency)
     f.heating_time = 0.5 / *c.frequency;
   f.while_heated = "in half a cycle";

@@ -67,7 +67,7 @@ public:
     return {path, finest, fmt::format("step {}, {} = {:g} {}", done_, name, path(1.0).drive.value, unit)};
   }
 
-  void read(Stepper& stepper, const IndentationRecord& /*before*/, IndentationRecord& r)
+  void read(Stepper& stepper, const IndentationRecord& before, IndentationRecord& r)
   {
     const Centre here{x(done_), 0.0};
     r.pass = indent() + 1;
@@ -85,7 +85,7 @@ public:
     const auto [highest, deepest] = stepper.residual_range(here);
     r.residual_depth = deepest;
     r.pile_up = -highest;
-    r.work += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here));
+    r.work += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here), &before);
     if (++done_ % steps_per_indent() == 0)
       indents_.push_back(current_.result());
   }
@@ -196,7 +196,7 @@ using Of = Documented::Of;
 constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::elastic_contact, 0.05};
 constexpr Documented documented[] = {
     {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5, Of::plastic_zone, 0.06, true},
-    {"hardness", "indents[*].hardness_Pa", 0.03, 5.6, 1.0, Of::elastic_contact, 0.04},
+    {"hardness", "indents[*].hardness_Pa", 0.06, 5.6, 1.0, Of::elastic_contact, 0.04},
     {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5, Of::plastic_zone, 0.08, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone},
     {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0, Of::contact, 0.1}};

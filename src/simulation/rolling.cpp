@@ -5,6 +5,7 @@
 #include "brinell/simulation/forces.hpp"
 #include "friction.hpp"
 #include "heat.hpp"
+#include "records.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
 
@@ -68,14 +69,16 @@ public:
       target.slid = slid(step_in_pass_ + t);
       target.is_put_down = step_in_pass_ == 0;
       target.returns = step_in_pass_ + 1 == steps_per_pass();
+      if (!moves && case_.speed)
+        target.passing = {*case_.speed, share_ * *case_.speed};
       return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;
     const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
-    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to)};
+    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to), moves};
   }
 
-  void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
+  void read(Stepper& stepper, const RollingRecord& before, RollingRecord& r)
   {
     r.pass = pass_ + 1;
     r.x = moment(step_in_pass_ + 1).x;
@@ -91,12 +94,13 @@ public:
       previous_.F_X += at_start - previous_.sliding_force;
       previous_.sliding_force = at_start;
     }
-    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
-              0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
+    const double trapezoid = 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
+    r.work += 0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
     r.dissipation_friction +=
         0.5 * (sliding_force + previous_.sliding_force) * (r.x - previous_.x) - stepper.shear_work();
     previous_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, previous_.along};
     read_shear(stepper, r);
+    r.work += is_rolling() ? trapezoid : work_of_pressing(before, r, trapezoid);
     r.friction = force_ratio(r.F_X, r.F_n, plan_);
     track_.add(r);
     if (++step_in_pass_ < steps_per_pass())
@@ -180,8 +184,7 @@ private:
     r.work += slip->work() - previous_.along;
     previous_.along = slip->work();
     r.dissipation_friction = slip->heat();
-    r.stick_share =
-        slip->pressed_cells() > 0 ? static_cast<double>(slip->sticking_cells()) / slip->pressed_cells() : 0.0;
+    r.stick_share = slip->stick_share();
     r.stick_area = r.stick_share * r.contact_area;
     r.slip_path = *std::max_element(slip->path().begin(), slip->path().end());
   }
