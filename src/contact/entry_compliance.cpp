@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "entry_compliance.hpp"
 
+#include "foundation/sharing.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -44,7 +46,8 @@ std::array<double, 2> EntryCompliance::across_edge(std::span<const double> press
 void EntryCompliance::find(const std::array<int, 2>& carried, std::span<const double> pressure_before,
                            std::span<const double> pressure, std::span<const double> gap)
 {
-  const bool rolls = carried[0] != 0 || carried[1] != 0;
+  // Bodies that have not touched before are put down: nothing has rolled into the contact.
+  const bool rolls = (carried[0] != 0 || carried[1] != 0) && sum(pressure_before) > 0.0;
   for (std::vector<double>& part : field_)
     part.assign(rolls ? grid_.size() : 0, 0.0);
   if (!rolls)

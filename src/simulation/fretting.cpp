@@ -4,7 +4,6 @@
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/error.hpp"
 #include "heat.hpp"
-#include "records.hpp"
 #include "run_state.hpp"
 
 #include <algorithm>
@@ -69,18 +68,17 @@ public:
             !is_pressing};
   }
 
-  void read(Stepper& stepper, const FrettingRecord& before, FrettingRecord& r)
+  void read(Stepper& stepper, const FrettingRecord& /*before*/, FrettingRecord& r)
   {
     r.cycle = cycle();
     r.pass = std::max(1, r.cycle);
     r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
-    const double trapezoid = 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
+    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
     previous_.F_n = r.F_n;
     previous_.approach = r.approach;
     const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
     if (slip != nullptr)
       read(*slip, r);
-    r.work += r.cycle > 0 ? trapezoid : work_of_pressing(before, r, trapezoid);
     if (r.cycle > 0)
       add_to_cycle(r);
     if (r.cycle > 0 && slip != nullptr)

@@ -36,14 +36,13 @@ IndentReader IndentReader::next_cycle(double touch) const
   return next;
 }
 
-double IndentReader::add(const IndentationRecord& r, double opening, const IndentationRecord* before)
+double IndentReader::add(const IndentationRecord& r, double opening)
 {
   // Without load the curve stays at the approach where the surfaces touch, so that no work is counted.
   const bool was_closed = load_.back() > 0.0;
   const bool closed = r.F_n > 0.0;
   const double approach = closed ? r.approach : opening;
-  const double trapezoid = 0.5 * (r.F_n + load_.back()) * (approach - approach_.back());
-  const double work = before != nullptr ? work_of_pressing(*before, r, trapezoid) : trapezoid;
+  const double work = 0.5 * (r.F_n + load_.back()) * (approach - approach_.back());
   approach_.push_back(approach);
   load_.push_back(r.F_n);
   // Of several largest loads the last one; without a load, the largest approach.

@@ -20,7 +20,7 @@ public:
   /// Adds a step.
   /// @param opening  approach at which the surfaces would touch, for a step without contact [m]
   /// @returns the work of the drive in the step (trapezoidal rule) [J]
-  double add(const IndentationRecord& record, double opening, const IndentationRecord* before = nullptr);
+  double add(const IndentationRecord& record, double opening);
   [[nodiscard]] Indent result() const;
 
   void exchange(Archive& archive);

@@ -8,16 +8,6 @@
 namespace brinell::simulation
 {
 
-double work_of_pressing(const StepRecord& before, const StepRecord& now, double trapezoid)
-{
-  const bool is_elastic = now.dissipation_lower == before.dissipation_lower &&
-                          now.dissipation_upper == before.dissipation_upper &&
-                          now.dissipation_friction == before.dissipation_friction &&
-                          now.work_of_wear == before.work_of_wear && now.work_of_expansion == before.work_of_expansion;
-  const auto stored = [](const StepRecord& r) { return r.energy_elastic + r.energy_residual; };
-  return is_elastic ? stored(now) - stored(before) : trapezoid;
-}
-
 void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
 {
   static_cast<RunningTotals&>(totals) = last;

@@ -12,11 +12,6 @@ namespace brinell::simulation
 
 /// Copies the totals of the last step into a summary and computes the error of the energy balance.
 /// @param largest_work  largest magnitude of the work in the run [J]
-/// Work of a step in which the bodies are only pressed together or lifted off. While they stay elastic it is the change of the stored
-/// energy, exact for any number of steps; otherwise that of the trapezoidal rule.
-/// @param before, now  records of the step before and of this step, with their energies
-[[nodiscard]] double work_of_pressing(const StepRecord& before, const StepRecord& now, double trapezoid);
-
 void take_totals(const StepRecord& last, double largest_work, RunTotals& totals);
 
 /// Stores or restores the columns of a record. Integers are counters, which must be >= 0 and small enough to be incremented.

@@ -5,7 +5,6 @@
 #include "brinell/simulation/forces.hpp"
 #include "friction.hpp"
 #include "heat.hpp"
-#include "records.hpp"
 #include "run_state.hpp"
 #include "track.hpp"
 
@@ -78,7 +77,7 @@ public:
     return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to), moves};
   }
 
-  void read(Stepper& stepper, const RollingRecord& before, RollingRecord& r)
+  void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
   {
     r.pass = pass_ + 1;
     r.x = moment(step_in_pass_ + 1).x;
@@ -94,13 +93,12 @@ public:
       previous_.F_X += at_start - previous_.sliding_force;
       previous_.sliding_force = at_start;
     }
-    const double trapezoid = 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
-    r.work += 0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
+    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
+              0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
     r.dissipation_friction +=
         0.5 * (sliding_force + previous_.sliding_force) * (r.x - previous_.x) - stepper.shear_work();
     previous_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, previous_.along};
     read_shear(stepper, r);
-    r.work += is_rolling() ? trapezoid : work_of_pressing(before, r, trapezoid);
     r.friction = force_ratio(r.F_X, r.F_n, plan_);
     track_.add(r);
     if (++step_in_pass_ < steps_per_pass())

@@ -37,7 +37,7 @@ constexpr Documented creep_force{
     "creep force", "passes[*].F_x_N", 0.012, 8.0, 1.5, Documented::Of::elastic_contact, 1.0};
 constexpr double error_of_sticking = 0.04, nearly_all = 0.97;
 /// The edge of a plastic contact is not that of an elastic one, on which the entry of points relies.
-constexpr double error_of_plastic_creep = 0.04;
+constexpr double error_of_plastic_creep = 0.06;
 constexpr Documented spin_moment{
     "spin moment", "passes[*].M_z_Nm", 0.06, 8.0, 1.5, Documented::Of::elastic_contact, 1.0};
 /// Relative to the area of the contact: a row of cells at the edge of the part that sticks.
@@ -81,7 +81,8 @@ Documented error_of_creep_force(const RollingCase& c, const RollingPlan& plan, c
   double parts = plan.half_width_y > 0.0 && c.creepage->spin != 0.0 ? std::min(most, lateral_parts(c, plan)) : 0.0;
   if (!(lower == upper))
     parts = std::max(parts, 0.3 * most);
-  error.error *= std::max(1.0, parts / force);
+  error.error *=
+      force > 0.0 ? std::max(1.0, parts / force) : 1.0 / error.error; // of no force there is no relative error
   return error;
 }
 

@@ -10,7 +10,6 @@
 #include "judgement.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
-#include "records.hpp"
 #include "run_state.hpp"
 #include "sliding_plan.hpp"
 #include "stroke.hpp"
@@ -97,9 +96,9 @@ public:
       previous_.shear = stepper.shear_force_at_start();
     }
     const double moved = now.slid - previous_.slid;
+    r.work +=
+        0.5 * (now.F_n + previous_.F_n) * (now.approach - previous_.approach) + 0.5 * (now.F_x + previous_.F_x) * moved;
     r.dissipation_friction += 0.5 * (now.shear + previous_.shear) * moved - stepper.shear_work();
-    const double trapezoid = 0.5 * (now.F_n + previous_.F_n) * (now.approach - previous_.approach);
-    r.work += 0.5 * (now.F_x + previous_.F_x) * moved + (moves ? trapezoid : work_of_pressing(before, r, trapezoid));
     previous_ = now;
     if (moves)
       reader_.add(r);
