@@ -191,17 +191,6 @@ double contact_area(const SurfaceGrid& grid, std::span<const double> pressure, s
   return cells * grid.cell_area();
 }
 
-double covered_share(const SurfaceGrid& grid, std::size_t cell, std::span<const double> pressure,
-                     std::span<const double> gap, double contact_modulus)
-{
-  const Field field(grid, pressure, gap, contact_modulus);
-  const auto columns = static_cast<std::size_t>(grid.nx);
-  const Cell here{static_cast<int>(cell % columns), static_cast<int>(cell / columns)};
-  const auto reach = [&](const Cell& next) { return field.touches(next) ? 0.5 : field.edge(here, next).covered; };
-  return (reach({here.i - 1, here.j}) + reach({here.i + 1, here.j})) *
-         (reach({here.i, here.j - 1}) + reach({here.i, here.j + 1}));
-}
-
 Patches patches(const SurfaceGrid& grid, std::span<const double> pressure, std::span<const double> gap,
                 double contact_modulus)
 {

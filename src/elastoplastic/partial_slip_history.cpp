@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/partial_slip.hpp"
 
-#include "brinell/contact/contact_area.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "contact/carried_field.hpp"
 #include "drive_axis.hpp"
@@ -94,7 +93,6 @@ void PartialSlip::settle(const Bodies& bodies)
 {
   state_.sticking = state_.pressed = 0;
   int limited = 0;
-  double sticking_area = 0.0, pressed_area = 0.0; // in cells
   std::fill(heat_of_increment_.begin(), heat_of_increment_.end(), 0.0);
   double beyond_trapezoid = 0.0; // heat beyond the work of the mean shear on the slip, as a sum over cells [J/m^2]
   for (std::size_t i = 0; i < bound_.size(); ++i)
@@ -103,13 +101,6 @@ void PartialSlip::settle(const Bodies& bodies)
     const bool is_pressed = bodies.pressure[i] > 0.0;
     state_.pressed += is_pressed ? 1 : 0;
     state_.sticking += is_pressed && !slips ? 1 : 0;
-    if (is_pressed)
-    {
-      const double covered =
-          contact::covered_share(pair_.grid(), i, bodies.pressure, bodies.gap, pair_.contact_modulus());
-      pressed_area += covered;
-      sticking_area += slips ? 0.0 : covered;
-    }
     limited += slips && friction().coefficient * bodies.pressure[i] > start_.limit[i] ? 1 : 0;
     if (!slips)
       continue;
@@ -123,7 +114,6 @@ void PartialSlip::settle(const Bodies& bodies)
       state_.slip[axis][i] += slip_[axis][i];
   }
   state_.limited_share = state_.pressed > 0 ? static_cast<double>(limited) / state_.pressed : 0.0;
-  state_.stick_share = pressed_area > 0.0 ? sticking_area / pressed_area : 0.0;
   add_parting_heat();
   add_work(carried_[0] == 0 && is_driven_ ? beyond_trapezoid * pair_.grid().cell_area() : 0.0);
 }
@@ -247,7 +237,6 @@ void PartialSlip::embed(const Interface& smaller)
   state_.total_heat = other.state_.total_heat;
   state_.work = other.state_.work;
   state_.limited_share = other.state_.limited_share;
-  state_.stick_share = other.state_.stick_share;
   state_.sticking = other.state_.sticking;
   state_.pressed = other.state_.pressed;
 }
@@ -268,7 +257,6 @@ void PartialSlip::State::exchange(Archive& archive)
   archive("work", work);
   archive("total_heat", total_heat);
   archive("limited_share", limited_share, 0.0, 1.0);
-  archive("stick_share", stick_share, 0.0, 1.0);
   archive("sticking", sticking);
   archive("pressed", pressed);
 }

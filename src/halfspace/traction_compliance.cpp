@@ -11,7 +11,6 @@
 #include "shear_waves.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace brinell::halfspace
 {
@@ -157,11 +156,6 @@ bool TractionCompliance::couples() const
 double TractionCompliance::along_over_across() const
 {
   return 1.0 + operator_->constants.along / operator_->constants.normal;
-}
-
-double TractionCompliance::contact_modulus() const
-{
-  return 1.0 / (std::numbers::pi * operator_->constants.normal);
 }
 
 double TractionCompliance::largest_of_shear() const

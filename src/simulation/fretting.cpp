@@ -216,7 +216,7 @@ private:
     r.work += slip.work() - previous_.along;
     previous_.along = slip.work();
     r.dissipation_friction = slip.heat();
-    r.stick_share = slip.stick_share();
+    r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
     r.stick_area = r.stick_share * r.contact_area;
     r.slip_path = *std::max_element(slip.path().begin(), slip.path().end());
   }

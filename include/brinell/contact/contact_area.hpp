@@ -24,11 +24,6 @@ namespace brinell::contact
 [[nodiscard]] double contact_area(const SurfaceGrid& grid, std::span<const double> pressure,
                                   std::span<const double> gap, double contact_modulus);
 
-/// Area of a cell under pressure that is in contact, over that of the cell: on each side up to the edge of the contact, or halfway
-/// to a neighbour under pressure. More than 1 where the contact ends beyond the cell.
-[[nodiscard]] double covered_share(const SurfaceGrid& grid, std::size_t cell, std::span<const double> pressure,
-                                   std::span<const double> gap, double contact_modulus);
-
 /// Patches of a contact: cells under pressure that are connected by their sides.
 struct Patches
 {

@@ -78,8 +78,6 @@ public:
   /// Cells under pressure that did not slip in the last increment, and all cells under pressure.
   [[nodiscard]] int sticking_cells() const { return state_.sticking; }
   [[nodiscard]] int pressed_cells() const { return state_.pressed; }
-  /// Share of the contact area that did not slip in the last increment; each cell counts by the area of it that is in contact.
-  [[nodiscard]] double stick_share() const { return state_.stick_share; }
 
   void exchange(Archive& archive) override { state_.exchange(archive); }
   void embed(const Interface& smaller) override;
@@ -99,7 +97,7 @@ private:
     double turned = 0.0; ///< rotation of the upper body relative to the lower one about z [rad]
     double work = 0.0;
     double total_heat = 0.0; ///< [J]
-    double limited_share = 0.0, stick_share = 0.0;
+    double limited_share = 0.0;
     int sticking = 0, pressed = 0;
 
     void exchange(Archive& archive);
