@@ -181,6 +181,7 @@ void PartialSlip::begin(Start start)
   static_cast<void>(set_bound(pressure_before_));
   has_bound_ = false;
   bound_before_ = bound_;
+  entries_ = 0;
   is_driven_ = driven_motion() > 0.0;
   start_.tolerance = tolerance_of_slip();
   find_displacement(bodies, pressure_before_, displacement_before_);
@@ -272,7 +273,8 @@ double PartialSlip::update_depth()
 
 Interface::Change PartialSlip::follow(const Bodies& bodies)
 {
-  if (set_bound(bodies.pressure))
+  constexpr int enough = 20; // updates of the entry, after which it can only alternate, with much wear
+  if (set_bound(bodies.pressure) && ++entries_ <= enough)
     entry_->find(carried_, pressure_before_, bodies.pressure, bodies.gap);
   Change change;
   change.is_solved = solve(bodies);

@@ -33,8 +33,8 @@ constexpr Documented of_rolled_points[] = {
     {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Documented::Of::elastic_contact, 0.02},
     {"largest pressure", "passes[*].max_pressure_Pa", 0.012, 8.0, 1.0, Documented::Of::elastic_contact, 0.02}};
 /// Of elastic bodies, except where nearly all of the contact sticks: there the shear grows without limit at the trailing edge.
-constexpr Documented creep_force{
-    "creep force", "passes[*].F_x_N", 0.012, 8.0, 1.5, Documented::Of::elastic_contact, 1.0};
+constexpr Documented creep_force{"creep force", "passes[*].F_x_N", 0.012, 8.0, 1.5, Documented::Of::elastic_contact,
+                                 0.15};
 constexpr double error_of_sticking = 0.04, nearly_all = 0.97;
 /// The edge of a plastic contact is not that of an elastic one, on which the entry of points relies.
 constexpr double error_of_plastic_creep = 0.06;
@@ -44,18 +44,23 @@ constexpr Documented spin_moment{
 constexpr Documented stick_share{"stick share", "passes[*].stick_share",         0.03, 8.0,
                                  1.0,           Documented::Of::elastic_contact, 1.0};
 
-/// Lateral forces of lateral creepage and of spin by the linear theory, of which at most friction times load is left [N]. They may
-/// nearly cancel, but their errors do not. Coefficients of Kalker (1967) for nu = 1/4, to a sixth.
-double lateral_parts(const RollingCase& c, const RollingPlan& plan)
+/// What lateral creepage and spin alone would do by the linear theory. Both may nearly cancel, but their errors do not.
+struct LateralParts
 {
-  const auto& [longitudinal, lateral, spin] = *c.creepage;
+  double force_of_creepage = 0.0, force_of_spin = 0.0; ///< [N]
+  double moment_of_creepage = 0.0;                     ///< [N m]
+};
+
+/// With coefficients of Kalker (1967) for nu = 1/4, to a sixth.
+LateralParts lateral_parts(const RollingCase& c, const RollingPlan& plan)
+{
   const double area = plan.half_width_x * plan.half_width_y, length = plan.half_width_x / plan.half_width_y;
   const auto compliance = [](const ShapedBody& body)
   { return body.material.elastic.is_rigid() ? 0.0 : 1.0 / body.material.elastic.shear_modulus(); };
-  const double modulus = 2.0 / (compliance(c.lower) + compliance(c.upper));
-  const double of_lateral = (2.5 + 1.1 * length) * std::abs(lateral);
-  const double of_spin = (0.35 + 1.25 * length) * std::abs(spin) * std::sqrt(area);
-  return modulus * area * (of_lateral + of_spin);
+  const double unit = 2.0 / (compliance(c.lower) + compliance(c.upper)) * area, size = std::sqrt(area);
+  const double C22 = 2.5 + 1.1 * length, C23 = 0.35 + 1.25 * length;
+  const double lateral = std::abs(c.creepage->lateral), spin = std::abs(c.creepage->spin);
+  return {unit * C22 * lateral, unit * C23 * size * spin, unit * C23 * size * lateral};
 }
 
 /// Error of the creep force of the last pass. It is relative to the resultant, unless this is small beside its parts: forces of
@@ -78,11 +83,26 @@ Documented error_of_creep_force(const RollingCase& c, const RollingPlan& plan, c
     return error;
   const double most = c.friction.coefficient * c.drive.value;
   const Elastic &lower = c.lower.material.elastic, &upper = c.upper.material.elastic;
-  double parts = plan.half_width_y > 0.0 && c.creepage->spin != 0.0 ? std::min(most, lateral_parts(c, plan)) : 0.0;
+  double parts = 0.0;
+  if (c.creepage->spin != 0.0)
+  {
+    const LateralParts alone = lateral_parts(c, plan);
+    parts = std::min(most, alone.force_of_creepage + alone.force_of_spin);
+  }
   if (!(lower == upper))
     parts = std::max(parts, 0.3 * most);
   error.error *=
       force > 0.0 ? std::max(1.0, parts / force) : 1.0 / error.error; // of no force there is no relative error
+  return error;
+}
+
+/// Error of the moment of a spin, with that of a lateral creepage, which it may nearly cancel.
+Documented error_of_spin_moment(const RollingCase& c, const RollingPlan& plan, const std::vector<RollingPass>& passes)
+{
+  constexpr double of_lateral = 0.09; // of its moment
+  Documented error = spin_moment;
+  if (!passes.empty() && passes.back().M_z != 0.0)
+    error.error += of_lateral * lateral_parts(c, plan).moment_of_creepage / std::abs(passes.back().M_z);
   return error;
 }
 
@@ -113,7 +133,7 @@ std::vector<Documented> documented_of_passes(const RollingCase& c, const Rolling
   if (c.creepage)
     errors.push_back(error_of_creep_force(c, plan, passes));
   if (c.creepage && c.creepage->spin != 0.0)
-    errors.push_back(spin_moment);
+    errors.push_back(error_of_spin_moment(c, plan, passes));
   if (const auto share = c.creepage ? error_of_stick_share(passes) : std::nullopt)
     errors.push_back(*share);
   errors.push_back(!is_plane ? rut : c.friction.coefficient > 0.0 ? rut_of_sliding_line : rut_of_line);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -218,7 +219,7 @@ TEST(SteadyHeat, WhatThereIsNotIsRefused)
   c = skidding_ball(HeatRegime::steady, 2.0);
   c.upper.material.temperature = 120.0;
   static_cast<void>(simulation::plan(c));
-  c.upper.shape = simulation::Roller{10e-3};
+  c.upper.shape = simulation::Roller{10e-3, std::numeric_limits<double>::infinity()};
   c.domain.y = {Boundary::periodic, 1e-3, 1};
   static_cast<void>(simulation::plan(c));
   c = skidding_ball(HeatRegime::steady, 2.0);

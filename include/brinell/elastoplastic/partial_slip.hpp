@@ -127,6 +127,7 @@ private:
   halfspace::TractionCompliance::Scratch scratch_;
   contact::TangentialContact tangential_;
   std::unique_ptr<contact::EntryCompliance> entry_; ///< of points that roll into the contact
+  int entries_ = 0;                                 ///< how often it has been found in the increment
   bool couples_;
   Start start_;
   contact::TangentialDrive drive_; ///< of the increment
