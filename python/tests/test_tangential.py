@@ -89,8 +89,8 @@ def test_rolling_cylinders_tend_to_carters_force() -> None:
     for _ in range(20 * cells):
         state = contact.step(line, load=load, shift_x=creepage * grid.dx, carried=(-1, 0), before=state)
     assert state is not None
-    # First order in the cell.
-    assert state.tangential.force[0] == pytest.approx(FRICTION * load * (1 - stick**2), rel=1 / cells)
+    # Second order in the cell: 0.06 % with 8 cells.
+    assert state.tangential.force[0] == pytest.approx(FRICTION * load * (1 - stick**2), rel=1e-3)
     np.testing.assert_array_equal(state.tangential.sticks[0, 2:5], False)  # slip at the trailing edge
 
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/contact/tangential_contact.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "friction_discs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +27,12 @@ inline void carry(const SurfaceGrid& grid, const std::array<int, 2>& cells, std:
       if (column >= 0 && column < grid.nx && row >= 0 && row < grid.ny)
         to[grid.index(column, row)] = from[grid.index(i, j)];
     }
+}
+
+/// Displacement by a spin of the point that lies in a cell after a step, as it moves there through the contact [m].
+inline Along turned(const SurfaceGrid& grid, const std::array<int, 2>& carried, double spin, int column, int row)
+{
+  return {-spin * (grid.y(row) - 0.5 * carried[1] * grid.dy), spin * (grid.x(column) - 0.5 * carried[0] * grid.dx)};
 }
 
 } // namespace brinell::contact

@@ -20,7 +20,7 @@ CoarserTangential::CoarserTangential(const halfspace::TractionCompliance& fine)
 }
 
 /// Averages the step on the larger cells. The shears `before` are carried along on the finer cells first, and the spin is
-/// included in the change: carried by whole larger cells and turned about the middle of the coarser grid, both would differ.
+/// included in the change; what points move freely before they come into the contact is left out of a mere guess: carried by whole larger cells and turned about the middle of the coarser grid, both would differ.
 void CoarserTangential::read(const TangentialStep& step)
 {
   const SurfaceGrid& fine = cells_.fine();
@@ -35,8 +35,9 @@ void CoarserTangential::read(const TangentialStep& step)
       for (int i = 0; i < fine.nx; ++i)
       {
         const std::size_t cell = fine.index(i, j);
-        const double turned = step.drive.spin * (axis == 0 ? -fine.y(j) : fine.x(i));
-        finer_[cell] = (step.change[axis].empty() ? 0.0 : step.change[axis][cell]) - turned;
+        const Along by_spin = turned(fine, step.carried, step.drive.spin, i, j);
+        finer_[cell] =
+            (step.change[axis].empty() ? 0.0 : step.change[axis][cell]) - (axis == 0 ? by_spin.x : by_spin.y);
       }
     cells_.average(finer_, change_[axis]);
   }

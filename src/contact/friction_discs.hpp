@@ -78,6 +78,10 @@ struct AlongMatrix
     return *this;
   }
 };
+[[nodiscard]] inline Along operator*(const AlongMatrix& m, const Along& a)
+{
+  return {m.xx * a.x + m.xy * a.y, m.xy * a.x + m.yy * a.y};
+}
 
 /// Directions in which a force is imposed.
 struct Forced

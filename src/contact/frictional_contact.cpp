@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "carried_field.hpp"
+#include "entry_compliance.hpp"
 #include "foundation/require_size.hpp"
 
 #include <algorithm>
@@ -15,13 +16,15 @@ namespace brinell::contact
 FrictionalContact::FrictionalContact(const halfspace::SurfaceCompliance& normal,
                                      const halfspace::TractionCompliance& tractions)
     : tractions_(tractions), scratch_(tractions.make_scratch()), normal_(normal), tangential_(tractions),
-      pressure_before_(normal.grid().size()), bound_(normal.grid().size()), distance_(bound_.size()),
-      lowered_(bound_.size()), lowered_before_(bound_.size()), pressure_added_(bound_.size()), pulled_x_(bound_.size()),
-      pulled_y_(bound_.size())
+      entry_(std::make_unique<EntryCompliance>(tractions)), pressure_before_(normal.grid().size()),
+      bound_(normal.grid().size()), distance_(bound_.size()), lowered_(bound_.size()), lowered_before_(bound_.size()),
+      pressure_added_(bound_.size()), pulled_x_(bound_.size()), pulled_y_(bound_.size())
 {
   if (!(normal.grid() == tractions.grid()))
     throw InternalError("FrictionalContact: both operators must have the same grid");
 }
+
+FrictionalContact::~FrictionalContact() = default;
 
 /// Computes the displacement along z by the shears.
 /// @returns its largest change since the previous call [m]
@@ -79,6 +82,8 @@ FrictionReport FrictionalContact::step(std::span<const double> distance, const D
         normal_.solve(distance_, normal, tolerances.gap, tolerances.max_iterations, state.pressure, gap, wants_stop);
     std::transform(state.pressure.begin(), state.pressure.end(), bound_.begin(),
                    [&](double p) { return friction * p; });
+    entry_->find(carried, pressure_before_, state.pressure, gap);
+    step.entry = entry_->fields();
     if (couples)
       couple(state);
     report.tangential = tangential_.solve(step, tolerances.slip, tolerances.max_iterations,

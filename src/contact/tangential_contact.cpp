@@ -118,6 +118,9 @@ TangentialReport TangentialContact::solve(const TangentialStep& step, double tol
     require_pair("TangentialContact::solve: the shear before", step.before, it.grid().size());
   if (!step.change[0].empty() || !step.change[1].empty())
     require_pair("TangentialContact::solve: the change of displacement", step.change, it.grid().size());
+  for (const std::span<const double>& part : step.entry)
+    if (!part.empty())
+      require_size("TangentialContact::solve: the compliance on entry", part, it.grid().size());
   require_bound(step.bound);
   require_finite(step.drive);
   require_force_below(sum(step.bound) * compliance_.grid().cell_area(), step.drive);

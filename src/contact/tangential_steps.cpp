@@ -25,9 +25,10 @@ void TangentialContact::Iteration::find_preconditioner_weights()
   for_cells(cells(),
             [&](std::size_t i)
             {
-              const double share = 1.0 / (1.0 + cell * bound_compliance_[i]);
+              const double own = bound_compliance_[i] + entry_compliance(i);
+              const double share = 1.0 / (1.0 + cell * own);
               soft_[i] = std::sqrt(share);
-              stiff_[i] = std::sqrt((1.0 - share) * mean_compliance_ / (mean_compliance_ + bound_compliance_[i]));
+              stiff_[i] = std::sqrt((1.0 - share) * mean_compliance_ / (mean_compliance_ + own));
             });
 }
 
@@ -80,7 +81,7 @@ double TangentialContact::Iteration::find_direction()
   }
   scatter([&](std::size_t i) { return direction_.at(i); });
   multiply();
-  gather([&](std::size_t i, const Along& u) { image_.set(i, u); });
+  gather([&](std::size_t i, const Along& u) { image_.set(i, u + displaced_on_entry(i, direction_.at(i))); });
   const auto curvature_of_cell = [&](std::size_t i)
   {
     const Along d = direction_.at(i);
@@ -98,7 +99,7 @@ double TangentialContact::Iteration::excess_allowed(double error) const
   const double all = static_cast<double>(grid().size()) * grid().cell_area();
   const double share =
       std::min(1.0, 2.0 * std::sqrt(area / (std::numbers::pi * all))); // of the response to the longest wave
-  return 0.1 * error / (largest_bound_ * compliance_.largest_of_shear() * share);
+  return 0.1 * error / (largest_bound_ * compliance_.largest_of_shear() * share + largest_entry_of_bound_);
 }
 
 bool TangentialContact::Iteration::advance(double step, double error)
@@ -165,7 +166,7 @@ bool TangentialContact::Iteration::retreat()
 void TangentialContact::Iteration::follow_gradient()
 {
   slope_ = 0.0;
-  const double step = 1.0 / compliance_.largest_of_shear();
+  const double step = 1.0 / (compliance_.largest_of_shear() + largest_entry_);
   for_cells(cells(),
             [&](std::size_t i)
             {
@@ -194,7 +195,8 @@ void TangentialContact::Iteration::move_worst()
             [&](std::size_t i)
             {
               const Along wrong = wrong_part(i);
-              shear_.set(i, saved_shear_.at(i) + (square(wrong) >= near * largest ? stiffness : 0.0) * wrong);
+              const double own = stiffness / (1.0 + stiffness * entry_compliance(i));
+              shear_.set(i, saved_shear_.at(i) + (square(wrong) >= near * largest ? own : 0.0) * wrong);
             });
   bound_shears(true);
 }

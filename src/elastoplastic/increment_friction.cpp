@@ -99,7 +99,7 @@ void CoupledContact::with_bodies(const Placement& placement, const Use& use) con
   const auto x = field(&BodyView::residual_displacement_x, 0);
   const auto y = field(&BodyView::residual_displacement_y, 1);
   const std::array<double, 2> moved = columns_moved(placement);
-  use(Interface::Bodies{pressure_, x[0], x[1], y[0], y[1], moved[0], moved[1]});
+  use(Interface::Bodies{pressure_, x[0], x[1], y[0], y[1], moved[0], moved[1], gap_});
 }
 
 /// Columns by which the contact grid moves on the lower and the upper body from the present placement to another one.
@@ -143,17 +143,17 @@ void CoupledContact::recall_friction()
 }
 
 /// Whether surfaces that may stick would move present pressure and shear over an end of the contact grid, so that their
-/// displacements would be lost.
+/// displacements would be lost, or bring points from beyond the other end under the present pressure, whose gap is not known.
 bool CoupledContact::carries_off(const Placement& placement) const
 {
   const SurfaceGrid& g = grid();
   const int columns = placement.lower.column - placement_.lower.column;
   if (partial_slip() == nullptr || g.is_periodic_x() || std::abs(columns) >= g.nx)
     return false;
-  const int first = columns > 0 ? 0 : g.nx + columns, last = columns > 0 ? columns : g.nx;
+  const int ends = std::abs(columns);
   for (int j = 0; j < g.ny; ++j)
-    for (int i = first; i < last; ++i)
-      if (pressure_[g.index(i, j)] > 0.0)
+    for (int i = 0; i < ends; ++i)
+      if (pressure_[g.index(i, j)] > 0.0 || pressure_[g.index(g.nx - 1 - i, j)] > 0.0)
         return true;
   return false;
 }

@@ -12,9 +12,10 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
   // In the transient regime the heat accumulates, and its motion follows the placement by columns, so that each flux begins where
   // the previous one ended. A steady flux moves with the exact velocity of the contact.
   std::array<double, 2> columns{};
-  if (!strategy.is_put_down)
-    columns = heating_->is_steady() ? std::array{strategy.moved[0] / grid().dx, strategy.moved[1] / grid().dx}
-                                    : columns_moved(placement);
+  if (heating_->is_steady())
+    columns = {strategy.moved[0] / grid().dx, strategy.moved[1] / grid().dx};
+  else if (!strategy.is_put_down)
+    columns = columns_moved(placement);
   heating_->begin({.grids = {lower().grid(), upper().grid()},
                    .places = {placement.lower, placement.upper},
                    .columns = columns,

@@ -4,6 +4,7 @@
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/error.hpp"
 #include "contact/carried_field.hpp"
+#include "contact/entry_compliance.hpp"
 #include "drive_axis.hpp"
 #include "foundation/sharing.hpp"
 
@@ -32,7 +33,7 @@ double largest_difference(std::span<const double> a, std::span<const double> b)
 PartialSlip::PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
                          double reference)
     : Interface(friction), pair_(grid, lower, upper, reference), scratch_(pair_.make_scratch()), tangential_(pair_),
-      couples_(friction.coupling && pair_.couples())
+      entry_(std::make_unique<contact::EntryCompliance>(pair_)), couples_(friction.coupling && pair_.couples())
 {
   for (std::vector<double>* field : {&state_.heat,
                                      &state_.path,
@@ -59,6 +60,8 @@ PartialSlip::PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const El
   if (couples_)
     state_.depth.assign(grid.size(), 0.0);
 }
+
+PartialSlip::~PartialSlip() = default;
 
 bool PartialSlip::is_forced(std::size_t axis) const
 {
@@ -126,7 +129,8 @@ double PartialSlip::imposed(std::size_t axis, int column, int row) const
 {
   const SurfaceGrid& grid = pair_.grid();
   const double shift = is_forced(axis) ? 0.0 : axis_of(drive_, axis).value;
-  return shift + drive_.spin * (axis == 0 ? -grid.y(row) : grid.x(column));
+  const contact::Along turned = contact::turned(grid, carried_, drive_.spin, column, row);
+  return shift + (axis == 0 ? turned.x : turned.y);
 }
 
 /// Estimate of the relative displacement that the drive causes in the increment; for a force, with the compliance of full stick.
@@ -174,9 +178,10 @@ void PartialSlip::begin(Start start)
   if (!is_forced(1))
     drive_.y.value -= state_.shift[1];
   has_bound_ = false;
-  set_bound(pressure_before_);
+  static_cast<void>(set_bound(pressure_before_));
   has_bound_ = false;
   bound_before_ = bound_;
+  entries_ = 0;
   is_driven_ = driven_motion() > 0.0;
   start_.tolerance = tolerance_of_slip();
   find_displacement(bodies, pressure_before_, displacement_before_);
@@ -199,13 +204,15 @@ double PartialSlip::bound_at(std::size_t cell, double pressure) const
 }
 
 /// Sets the largest shear of each cell; with `Start::holds_law` only once per increment or after `renew`.
-void PartialSlip::set_bound(std::span<const double> pressure)
+/// @returns whether it has been set anew
+bool PartialSlip::set_bound(std::span<const double> pressure)
 {
   if (start_.holds_law && has_bound_)
-    return;
+    return false;
   has_bound_ = true;
   for (std::size_t i = 0; i < bound_.size(); ++i)
     bound_[i] = bound_at(i, pressure[i]);
+  return true;
 }
 
 /// Whether shears within the bound can carry the imposed force.
@@ -245,6 +252,7 @@ bool PartialSlip::solve(const Bodies& bodies)
   step.change = {change_[0], change_[1]};
   step.drive = drive_;
   step.carried = carried_;
+  step.entry = entry_->fields();
   const contact::TangentialReport report =
       tangential_.solve(step, start_.tolerance, max_iterations, {state_.shear[0], state_.shear[1]},
                         {slip_[0], slip_[1]}, start_.wants_stop);
@@ -265,7 +273,9 @@ double PartialSlip::update_depth()
 
 Interface::Change PartialSlip::follow(const Bodies& bodies)
 {
-  set_bound(bodies.pressure);
+  constexpr int enough = 20; // updates of the entry, after which it can only alternate, with much wear
+  if (set_bound(bodies.pressure) && ++entries_ <= enough)
+    entry_->find(carried_, pressure_before_, bodies.pressure, bodies.gap);
   Change change;
   change.is_solved = solve(bodies);
   change.is_overloaded = !carries_drive();
@@ -291,6 +301,7 @@ double PartialSlip::held_energy() const
   std::array<std::vector<double>, 2> along{std::vector<double>(bound_.size()), std::vector<double>(bound_.size())};
   pair_.apply({.shear_x = state_.shear[0], .shear_y = state_.shear[1]}, {.x = along[0], .y = along[1]});
   double total = 0.0;
+  const std::array<std::span<const double>, 3> entry = entry_->fields();
   const SurfaceGrid& grid = pair_.grid();
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (int row = 0; row < grid.ny; ++row)
@@ -298,7 +309,10 @@ double PartialSlip::held_energy() const
       {
         const std::size_t i = grid.index(column, row);
         const double full_stick = displacement_before_[axis][i] + imposed(axis, column, row);
-        total += state_.shear[axis][i] * (full_stick - 0.5 * along[axis][i]);
+        const double on_entry = entry.front().empty()
+                                    ? 0.0
+                                    : entry[axis][i] * state_.shear[axis][i] + entry[2][i] * state_.shear[1 - axis][i];
+        total += state_.shear[axis][i] * (full_stick - 0.5 * (along[axis][i] + on_entry));
       }
   return total * pair_.grid().cell_area();
 }

@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/partial_slip.hpp"
 
 #include "brinell/elastoplastic/placement.hpp"
+#include "contact/carried_field.hpp"
 #include "drive_axis.hpp"
 #include "foundation/sharing.hpp"
 
@@ -188,6 +189,8 @@ void PartialSlip::add_parting_heat()
   }
 }
 
+/// Work of the shears per angle of the increment: the moment about z where the contact rests, about the place that `turned` names
+/// where it rolls [N m].
 double PartialSlip::moment_of(const Pair& shear) const
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -196,7 +199,8 @@ double PartialSlip::moment_of(const Pair& shear) const
     for (int column = 0; column < grid.nx; ++column)
     {
       const std::size_t i = grid.index(column, row);
-      moment += grid.x(column) * shear[1][i] - grid.y(row) * shear[0][i];
+      const contact::Along turned = contact::turned(grid, carried_, 1.0, column, row);
+      moment += turned.x * shear[0][i] + turned.y * shear[1][i];
     }
   return moment * grid.cell_area();
 }

@@ -153,6 +153,11 @@ bool TractionCompliance::couples() const
   return operator_->constants.coupling != 0.0;
 }
 
+double TractionCompliance::along_over_across() const
+{
+  return 1.0 + operator_->constants.along / operator_->constants.normal;
+}
+
 double TractionCompliance::largest_of_shear() const
 {
   return operator_->largest_of_shear;

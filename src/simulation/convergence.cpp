@@ -14,13 +14,13 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double highest_order = 2.0; ///< theoretical order of steps and cells
 constexpr double believed_order =
     2.2; ///< a higher observed order is accidental (Roache: a tenth above the theoretical order)
-constexpr double lowest_order = 0.5;  ///< a lower observed order is not extrapolated
-constexpr double safety = 1.25;       ///< Roache's factor for three grids with an observed order
-constexpr double wide_safety = 3.0;   ///< Roache's factor without an observed order
-constexpr double solver_share = 1e-4; ///< relative convergence of steps, below which runs do not agree
+constexpr double theoretical_order = 2.0; ///< of steps and cells
+constexpr double lowest_order = 0.5;      ///< a lower observed order is not extrapolated
+constexpr double safety = 1.25;           ///< Roache's factor for three grids with an observed order
+constexpr double wide_safety = 3.0;       ///< Roache's factor without an observed order
+constexpr double solver_share = 1e-4;     ///< relative convergence of steps, below which runs do not agree
 
 /// The observed order p from d32 / d21 = r21^p (r32^p - 1) / (r21^p - 1) by bisection; for equal ratios the right side is r^p.
 double observed_order(double d21, double d32, double r21, double r32)
@@ -54,7 +54,8 @@ struct Half
   double width, order, extrapolated;
 };
 
-Half half_interval(std::span<const double> h, std::span<const double> f)
+/// @param highest_order  order of the method for such numbers
+Half half_interval(std::span<const double> h, std::span<const double> f, double highest_order)
 {
   const std::size_t n = f.size();
   const double r21 = h[n - 2] / h[n - 1];
@@ -80,7 +81,8 @@ Half half_interval(std::span<const double> h, std::span<const double> f)
 
 } // namespace
 
-Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale, double known_error)
+Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale, double known_error,
+                        double known_order)
 {
   if (cells.size() != values.size() || values.size() < 2)
     throw InputError(
@@ -89,7 +91,7 @@ Convergence convergence(std::span<const double> cells, std::span<const double> v
   for (std::size_t i = 1; i < cells.size(); ++i)
     if (!(cells[i] > 0.0 && cells[i] < cells[i - 1]))
       throw InputError("the sizes of cells must fall and be > 0");
-  const Half half = half_interval(cells, values);
+  const Half half = half_interval(cells, values, std::clamp(known_order, lowest_order, theoretical_order));
   const double value = values.back();
   const double size = std::max(std::abs(value), scale);
   const bool shows_a_limit = !std::isnan(half.extrapolated);

@@ -67,7 +67,8 @@ std::vector<ExpectedError> expected_errors(const Facts& f, double of_contact, co
       const double from_cells =
           d.error * std::pow(d.cells / (d.of == Documented::Of::plastic_zone ? of_zone : of_contact), d.order);
       const double growth = d.is_of_lower ? *of_lower : 1.0;
-      errors.push_back({d.quantity, d.name, std::min(1.0, growth * (from_cells + d.of_steps * of_steps) + d.further)});
+      errors.push_back(
+          {d.quantity, d.name, std::min(1.0, growth * (from_cells + d.of_steps * of_steps) + d.further), d.order});
     }
   return errors;
 }

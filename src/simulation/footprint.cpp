@@ -370,6 +370,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   plan.scales = {resolved(f.frictionless_yield_approach), f.approach};
   plan.first_yield = resolved(f.first_yield_approach);
   plan.peak_pressure = f.peak_pressure;
+  plan.peak_over_yield = f.peak_ratio;
 }
 
 } // namespace brinell::simulation

@@ -64,7 +64,8 @@ public:
             is_pressing
                 ? fmt::format("step {}, pressing", done_)
                 : fmt::format("step {}, cycle {}, {} = {:g} {}", done_, cycle(), by_force() ? "force" : "displacement",
-                              share(done_ + 1.0) * case_.amplitude, by_force() ? "N" : "m")};
+                              share(done_ + 1.0) * case_.amplitude, by_force() ? "N" : "m"),
+            !is_pressing};
   }
 
   void read(Stepper& stepper, const FrettingRecord& /*before*/, FrettingRecord& r)

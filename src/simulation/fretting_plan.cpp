@@ -147,7 +147,6 @@ FrettingPlan plan(const FrettingCase& fretting)
                {.speed = fretting.frequency,
                 .speed_key = "fretting.frequency",
                 .upper_rests = true,
-                .pressed_at_rest = true,
                 .sticks = true,
                 .name = "frequency",
                 .unit = "Hz"});

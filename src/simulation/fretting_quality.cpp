@@ -68,8 +68,15 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   f.documented.push_back(
       {"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, Documented::Of::plastic_zone});
   f.documented.push_back(slip);
+  if (const std::optional<double> ring = slip_ring(c, plan); ring && *ring < 1.0)
+  {
+    constexpr double of_area = 0.05; // a row of cells around the part that sticks
+    f.documented.push_back(
+        {"stick share", "cycles[*].stick_share", of_area / std::pow(1.0 - *ring, 2), 8.0, 1.0, elastic});
+  }
   f.slides =
       c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
+  f.may_stick = !f.slides;
   if (c.frequency)
     f.heating_time = 0.5 / *c.frequency;
   f.while_heated = "in half a cycle";

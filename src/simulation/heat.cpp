@@ -34,32 +34,6 @@ bool swells(const constitutive::Material& material)
   return material.thermal && material.thermal->expansion != 0.0;
 }
 
-/// Checks that there is a steady state between bodies with different bulk temperatures, and a reference distance for them: between
-/// them heat passes even at rest, while they are pressed together.
-void require_steady_exchange(const Numerics& numerics, const constitutive::Material& lower,
-                             const constitutive::Material& upper)
-{
-  const bool passes =
-      lower.thermal && upper.thermal && lower.temperature != upper.temperature && numerics.heat.exchanges();
-  if (passes && numerics.domain.y.is_periodic())
-    throw KeyError(
-        "thermal.regime",
-        fmt::format("thermal.regime = \"steady\", but between a lower body of {:g} and an upper one of {:g} "
-                    "degC heat also flows while they are pressed together at rest, and along a periodic "
-                    "axis it then accumulates without limit; allowed: equal temperatures, thermal.partition, "
-                    "open axes, or \"transient\"",
-                    lower.temperature, upper.temperature));
-  if (passes && numerics.heat.displacement && (swells(lower) || swells(upper)) && !numerics.heat.reference)
-    throw KeyError(
-        "thermal.reference",
-        fmt::format(
-            "thermal.reference is missing: between a lower body of {:g} and an upper one of {:g} degC heat also flows "
-            "while they are pressed together at rest, and the thermal displacement under a steady flux at rest has no "
-            "limit: it grows with the logarithm of the distance; allowed: the distance from the contact at which the "
-            "thermal displacement is taken as zero, such as the radius of the body; or thermal.displacement = false",
-            lower.temperature, upper.temperature));
-}
-
 /// Checks that heat is shared only between two bodies that take heat.
 void require_two_sides(const Numerics& numerics, const constitutive::Material& lower,
                        const constitutive::Material& upper)
@@ -114,29 +88,6 @@ void require_source(const Numerics& numerics, const ShapedBody& lower, const Sha
                                name));
 }
 
-/// Checks that a source has a steady state where a body rests under it, and that its displacement is defined.
-void require_steady_source(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                           const HeatedMotion& motion)
-{
-  const elastoplastic::HeatSource& source = numerics.heat.source;
-  if (!source.exists() || !motion.pressed_at_rest)
-    return;
-  if (numerics.domain.y.is_periodic())
-    throw KeyError("thermal.regime",
-                   "thermal.regime = \"steady\", but thermal.source also acts while the bodies are pressed together "
-                   "at rest, and along a periodic axis its heat then accumulates without limit; allowed: open axes, "
-                   "or \"transient\"");
-  const bool heats_lower = !source.is_on_body() || source.side() == 0;
-  const bool heats_upper = !source.is_on_body() || source.side() == 1;
-  const bool moves = (heats_lower && swells(lower.material)) || (heats_upper && swells(upper.material));
-  if (moves && numerics.heat.displacement && !numerics.heat.reference)
-    throw KeyError("thermal.reference",
-                   "thermal.reference is missing: thermal.source also acts while the bodies are pressed together at "
-                   "rest, and the thermal displacement under a steady flux at rest has no limit: it grows with the "
-                   "logarithm of the distance; allowed: the distance from the contact at which the thermal "
-                   "displacement is taken as zero, such as the radius of the body; or thermal.displacement = false");
-}
-
 /// Checks that there is a steady state, and that its displacement is defined.
 void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                     const HeatedMotion& motion)
@@ -166,9 +117,6 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
                    "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
                    "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
                    "zero, such as the radius of the body; or thermal.displacement = false");
-  require_steady_source(numerics, lower, upper, motion);
-  if (motion.pressed_at_rest)
-    require_steady_exchange(numerics, lower.material, upper.material);
 }
 
 } // namespace

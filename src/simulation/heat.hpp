@@ -18,9 +18,8 @@ struct HeatedMotion
   std::optional<double> speed; ///< or frequency: `unit`
   std::string speed_key;
   bool upper_rests =
-      false; ///< the upper body does not move relative to the contact: its heat always enters at one place
-  bool pressed_at_rest = false; ///< the bodies are pressed together before they move
-  bool sticks = false;          ///< the surfaces may stick in places
+      false;           ///< the upper body does not move relative to the contact: its heat always enters at one place
+  bool sticks = false; ///< the surfaces may stick in places
   const char* name = "speed";
   const char* unit = "m/s";
 };

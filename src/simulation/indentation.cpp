@@ -67,7 +67,7 @@ public:
     return {path, finest, fmt::format("step {}, {} = {:g} {}", done_, name, path(1.0).drive.value, unit)};
   }
 
-  void read(Stepper& stepper, const IndentationRecord& /*before*/, IndentationRecord& r)
+  void read(Stepper& stepper, const IndentationRecord& before, IndentationRecord& r)
   {
     const Centre here{x(done_), 0.0};
     r.pass = indent() + 1;
@@ -85,9 +85,17 @@ public:
     const auto [highest, deepest] = stepper.residual_range(here);
     r.residual_depth = deepest;
     r.pile_up = -highest;
-    r.work += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here));
-    if (++done_ % steps_per_indent() == 0)
-      indents_.push_back(current_.result());
+    if (done_ % steps_per_indent() == 0)
+      begun_ = before.work;
+    trapezoid_ += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here));
+    // While nothing has yielded, all of the work is stored: exact for any number of steps.
+    const bool is_elastic = r.dissipation_lower == 0.0 && r.dissipation_upper == 0.0;
+    r.work = is_elastic ? r.energy_elastic : trapezoid_;
+    if (++done_ % steps_per_indent() != 0)
+      return;
+    indents_.push_back(current_.result());
+    if (is_elastic)
+      indents_.back().work = r.work - begun_;
   }
 
   void summarise(IndentationSummary& summary, const StepFields& /*end*/) const
@@ -102,6 +110,8 @@ public:
   {
     archive("current", current_);
     archive.list("indents", indents_);
+    archive("trapezoid", trapezoid_);
+    archive("begun", begun_);
     archive("from", from_);
     archive("to", to_);
     archive("done", done_, 0, steps_);
@@ -142,6 +152,8 @@ private:
   SurfaceGrid contact_; ///< contact grid at the start; used for periods, whose grid does not grow
   IndentReader current_;
   std::vector<Indent> indents_;
+  double trapezoid_ = 0.0; ///< work of the drive so far, by the trapezoidal rule [J]
+  double begun_ = 0.0;     ///< work before the current indent [J]
   double from_ = 0.0,
          to_ = 0.0; ///< load, approach or mean gap at beginning and end of the current entry of the sequence
   int done_ = 0;    ///< number of finished steps
@@ -196,7 +208,7 @@ using Of = Documented::Of;
 constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::elastic_contact, 0.05};
 constexpr Documented documented[] = {
     {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5, Of::plastic_zone, 0.06, true},
-    {"hardness", "indents[*].hardness_Pa", 0.03, 5.6, 1.0, Of::elastic_contact, 0.04},
+    {"hardness", "indents[*].hardness_Pa", 0.06, 5.6, 1.0, Of::elastic_contact, 0.04},
     {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5, Of::plastic_zone, 0.08, true},
     {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone},
     {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0, Of::contact, 0.1}};

@@ -74,8 +74,11 @@ struct Facts
   bool hardens = true;                                          ///< every surface that yields
   /// The surfaces slide everywhere in the contact, and do not stick anywhere.
   bool slides = false;
-  double friction = 0.0;      ///< coefficient
-  double peak_pressure = 0.0; ///< see Plan
+  bool may_stick = false;       ///< the surfaces may stick in places
+  double friction = 0.0;        ///< coefficient
+  double peak_pressure = 0.0;   ///< see Plan
+  double peak_over_yield = 0.0; ///< see Plan
+  bool is_yield_exact = false;  ///< whether that of first yield is exact: of round contacts and endless lines
   elastoplastic::Settings solver;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/quality.hpp"
 
+#include "brinell/simulation/first_yield.hpp"
 #include "footprint.hpp"
 #include "foundation/nan.hpp"
 #include "heat.hpp"
@@ -247,6 +248,8 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.shear_limit = numerics.friction.shear_limit.value_or(f.shear_limit);
   f.hardens = !lower.material.is_perfectly_plastic() && !upper.material.is_perfectly_plastic();
   f.peak_pressure = plan.peak_pressure;
+  f.peak_over_yield = plan.peak_over_yield;
+  f.is_yield_exact = !reason_against_first_yield(lower, upper, numerics.domain);
   return f;
 }
 

@@ -68,11 +68,13 @@ public:
       target.slid = slid(step_in_pass_ + t);
       target.is_put_down = step_in_pass_ == 0;
       target.returns = step_in_pass_ + 1 == steps_per_pass();
+      if (!moves && case_.speed)
+        target.passing = {*case_.speed, share_ * *case_.speed};
       return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;
     const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
-    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to)};
+    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to), moves};
   }
 
   void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)

@@ -101,7 +101,6 @@ RollingPlan plan(const RollingCase& rolling)
                {.speed = rolling.speed,
                 .speed_key = "rolling.speed",
                 .upper_rests = rolling.slide_to_roll == 2.0,
-                .pressed_at_rest = true,
                 .sticks = rolling.creepage.has_value()});
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");

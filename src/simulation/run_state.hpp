@@ -25,6 +25,9 @@ struct Move
   std::function<Target(double)> path;
   double finest;     ///< shortest piece of the path into which a step may be split
   std::string where; ///< for messages
+  /// Whether the step belongs to the motion that the run is about. While the bodies are pressed together before it or part after
+  /// it, how fast they do so is a choice of the program, and so are the temperatures.
+  bool is_motion = true;
 };
 
 /// The motion of a scenario and the evaluation of its steps: everything that distinguishes one scenario from another.
@@ -104,10 +107,11 @@ public:
       largest_limited_share_ = std::max(largest_limited_share_, record.share_at_shear_limit);
     if constexpr (std::derived_from<Record, HeatedRecord>)
     {
-      if (case_.heat.at_melting == elastoplastic::AtMelting::stop)
+      if (move.is_motion && case_.heat.at_melting == elastoplastic::AtMelting::stop)
         require_below_melting(move.where, record, case_.lower.material, case_.upper.material);
-      hottest_[0] = std::max(hottest_[0], record.max_temperature_lower);
-      hottest_[1] = std::max(hottest_[1], record.max_temperature_upper);
+      if (move.is_motion)
+        hottest_ = {std::max(hottest_[0], record.max_temperature_lower),
+                    std::max(hottest_[1], record.max_temperature_upper)};
     }
     last_ = record;
     has_failed_ = false;
@@ -123,6 +127,9 @@ public:
     take_totals(last_, largest_work_, s);
     s.max_share_at_shear_limit = largest_limited_share_;
     s.max_temperature = hottest_;
+    if constexpr (std::derived_from<Record, HeatedRecord>)
+      if (hottest_ == nothing_yet) // pressed on, but not yet in motion
+        s.max_temperature = {last_.max_temperature_lower, last_.max_temperature_upper};
     s.last = last_;
     const StepFields end = fields();
     s.final_state = end.surfaces;
@@ -179,7 +186,8 @@ private:
   Record last_;
   double largest_work_ = 0.0; ///< [J]
   double largest_limited_share_ = 0.0;
-  std::array<double, 2> hottest_{-273.15, -273.15}; ///< largest temperature of each surface [deg C], from absolute zero
+  static constexpr std::array<double, 2> nothing_yet{-273.15, -273.15}; ///< absolute zero
+  std::array<double, 2> hottest_ = nothing_yet; ///< largest temperature of each surface in the motion [deg C]
   long evaluations_ = 0;
   int steps_ = 0;
   bool has_failed_ = false;

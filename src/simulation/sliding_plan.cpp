@@ -133,7 +133,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   require_motion(sliding);
   require_press(sliding);
   require_heat(sliding, sliding.lower, sliding.upper,
-               {.speed = sliding.speed, .speed_key = "sliding.speed", .upper_rests = true, .pressed_at_rest = true});
+               {.speed = sliding.speed, .speed_key = "sliding.speed", .upper_rests = true});
   const Footprint f = footprint_of(sliding);
   SlidingPlan plan;
   plan.half_width_x = f.half_x;

@@ -190,7 +190,10 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
     in_time.slid = target.slid - slid_;
     in_time.is_put_down = target.is_put_down;
     in_time.returns = target.returns;
-    in_time.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
+    if (target.passing)
+      in_time.moved = {(*target.passing)[0] * in_time.duration, (*target.passing)[1] * in_time.duration};
+    else if (!target.is_put_down)
+      in_time.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
     const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, in_time, target.along);
     evaluations_ += report.evaluations;
     if (report.converged)

@@ -28,6 +28,9 @@ struct Target
   double slid = 0.0;                ///< accumulated sliding distance of the undeformed surfaces since the start [m]
   bool is_put_down = false;         ///< see Strategy::is_put_down
   bool returns = false;             ///< see Strategy::returns
+  /// Velocities along x with which a steady flux passes the lower and the upper body although the contact does not move over
+  /// them: those of the motion before which they are pressed together and after which they part [m/s].
+  std::optional<std::array<double, 2>> passing{};
 };
 
 /// The contact grid at one moment of the motion.

@@ -252,7 +252,7 @@ private:
 };
 
 // docs/verification/accuracy.md (expected error)
-constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.009, 8.0, 2.1, Documented::Of::elastic_contact};
+constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.011, 8.0, 2.1, Documented::Of::elastic_contact};
 /// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
 constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Documented::Of::elastic_contact};
 
@@ -267,6 +267,8 @@ constexpr Documented work_of_tugging{
     "plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Documented::Of::contact, 1.0};
 constexpr Documented strain_of_tugging{
     "largest plastic strain", "residual.max_equivalent_plastic_strain", 0.055, 8.0, 1.0, Documented::Of::contact, 0.1};
+/// Its error with friction, which moves the largest strain to the surface, into the uppermost layers of cells.
+constexpr double error_of_rubbed_strain = 0.3;
 
 /// Share of the work that is not friction; 1 before the run.
 double share_of_ploughing(const RunTotals* totals)
@@ -294,7 +296,11 @@ Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* tota
                   with_friction(c.load ? net_energy_under_load : net_energy, ploughing),
                   with_friction(resistance_to_tugging, ploughing)};
   if (!f.is_plane)
+  {
     f.documented.insert(f.documented.end(), {work_of_tugging, strain_of_tugging});
+    if (c.friction.coefficient > 0.0)
+      f.documented.back().error = error_of_rubbed_strain;
+  }
   f.moves = f.slides = true;
   if (c.shift)
     f.shift = plan.shift;

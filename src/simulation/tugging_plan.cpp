@@ -48,6 +48,7 @@ struct Pair
   ClosestApproach closest;
   ContactSize contact;               ///< elastic, of the smooth bodies at alignment
   double peak_pressure = 0.0;        ///< of that contact [Pa]
+  double peak_over_yield = 0.0;      ///< see Plan
   double first_yield = 0.0;          ///< interference at first yield, at most the full interference [m]
   double frictionless_yield = 0.0;   ///< the same without friction [m]
   std::array<double, 2> curvature{}; ///< relative [1/m]
@@ -98,6 +99,8 @@ Pair pair_of(const TuggingCase& tugging)
       return yield ? std::min(interference, yield->critical.interference) : interference;
     };
     pair.first_yield = first_yield(friction);
+    if (pair.first_yield > 0.0) // the peak pressure grows as the root of the interference
+      pair.peak_over_yield = std::sqrt(interference / pair.first_yield);
     pair.frictionless_yield = first_yield(0.0);
     return pair;
   }
@@ -105,6 +108,7 @@ Pair pair_of(const TuggingCase& tugging)
       smooth_footprint(lower, upper, {contact::Drive::Kind::approach, interference}, tugging.domain, friction);
   pair.contact = {f.elastic_x, f.elastic_y, f.straight_y};
   pair.peak_pressure = f.peak_pressure;
+  pair.peak_over_yield = f.peak_ratio;
   pair.first_yield = std::min(interference, f.first_yield_approach);
   pair.frictionless_yield = std::min(interference, f.frictionless_yield_approach);
   return pair;
@@ -284,6 +288,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.scales = {std::max(pair.frictionless_yield, smallest), pair.closest.interference};
   plan.first_yield = std::max(pair.first_yield, smallest);
   plan.peak_pressure = pair.peak_pressure;
+  plan.peak_over_yield = pair.peak_over_yield;
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);

@@ -89,6 +89,40 @@ TEST_F(QualityOfRuns, WarningsAreToldAlsoWhenQuiet)
   EXPECT_EQ(std::count(hard.begin(), hard.end(), "large_strain"), 1);
 }
 
+// A ball that slides with friction 0.4 yields first at its trailing edge, between the cells.
+TEST_F(QualityOfRuns, FirstYieldWithFrictionIsToldBeforeAndAfterARun)
+{
+  write("case.toml", R"(scenario = "rolling"
+[lower]
+shape = {type = "flat"}
+material = {young_modulus = "210 GPa", poisson_ratio = 0.3, hardening = {law = "linear", yield_stress = "1 GPa", modulus = "10 GPa"}}
+[upper]
+shape = {type = "sphere", radius = "10 mm"}
+material = {young_modulus = "210 GPa", poisson_ratio = 0.3}
+[rolling]
+hertz_pressure = "1.36 GPa"
+distance = "0.3 mm"
+slide_to_roll = 0.5
+[interface]
+friction = 0.4
+)");
+  EXPECT_EQ(keys_of({}), Keys{"missed_yield"});
+  EXPECT_NE(outcome().err.find("no cell has yielded, but by the exact solution"), std::string::npos) << outcome().err;
+  EXPECT_EQ(keys_of({"rolling.hertz_pressure=1.2 GPa"}), Keys{"no_yield"});
+  const auto checked = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments{"check", "case.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments).out;
+  };
+  EXPECT_NE(checked({}).find("1.360000e+09 Pa, 1.09"), std::string::npos) << checked({});
+  EXPECT_NE(checked({}).find("times that at first yield of surfaces that slide with friction 0.4\n"),
+            std::string::npos);
+  const std::string ellipse =
+      checked({"--set", "upper.shape={type=\"ellipsoid\", radius_x=\"10 mm\", radius_y=\"30 mm\"}"});
+  EXPECT_NE(ellipse.find("(estimate for a round contact)"), std::string::npos) << ellipse;
+}
+
 // Waves over a period, pressed so lightly that their mean planes stay apart.
 TEST_F(QualityOfRuns, RoughFlatsTellOfWavesAndOfMeanPlanes)
 {

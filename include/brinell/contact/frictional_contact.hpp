@@ -4,6 +4,7 @@
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/contact/tangential_contact.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace brinell::contact
@@ -33,6 +34,8 @@ struct FrictionReport
   double gap_change = 0.0;     ///< change of the gap by the change of the shears in the last alternation [m]
 };
 
+class EntryCompliance;
+
 /// Tolerances of a step.
 struct FrictionTolerances
 {
@@ -52,6 +55,9 @@ class FrictionalContact
 public:
   /// @param normal, tractions  of the same pair on the same grid; they must outlive this object.
   FrictionalContact(const halfspace::SurfaceCompliance& normal, const halfspace::TractionCompliance& tractions);
+  ~FrictionalContact();
+  FrictionalContact(const FrictionalContact&) = delete;
+  FrictionalContact& operator=(const FrictionalContact&) = delete;
 
   /// @param distance    as for `ElasticContact::solve` [m]
   /// @param normal      imposed quantity normal to the surface
@@ -76,6 +82,7 @@ private:
   halfspace::TractionCompliance::Scratch scratch_;
   ElasticContact normal_;
   TangentialContact tangential_;
+  std::unique_ptr<EntryCompliance> entry_; ///< of points that roll into the contact
   std::vector<double> pressure_before_, shear_x_before_, shear_y_before_;
   std::vector<double> bound_, distance_;
   std::vector<double> lowered_, lowered_before_; ///< displacement along z by the shears [m]

@@ -28,7 +28,9 @@ struct TangentialDrive
     bool operator==(const Axis&) const = default;
   };
   Axis x, y;
-  double spin = 0.0; ///< rotation of body 2 in this step about z through the middle of the grid, from x to y [rad]
+  /// Rotation of body 2 in this step about z through the middle of the grid, from x to y [rad]. In rolling it turns each point
+  /// about that place from halfway between the cells in which the point lies before and after the step.
+  double spin = 0.0;
   bool operator==(const TangentialDrive&) const = default;
 };
 
@@ -49,6 +51,9 @@ struct TangentialStep
   /// and y in this step. The shift is then creepage times rolling distance, and slip and change refer to material points of the
   /// surfaces.
   std::array<int, 2> carried{};
+  /// Rolling: compliance of each cell to its own shear, in addition to that of the bodies, because its point has moved freely
+  /// before it came into the contact; a symmetric matrix: xx, yy, xy [m/Pa]. Empty: none.
+  std::array<std::span<const double>, 3> entry{};
 };
 
 /// Outcome of a step.
@@ -73,7 +78,7 @@ class CoarserTangential;
 
 /// Stick and slip under a given bound g of the shear, by conjugate gradients on the discs |q| <= g of all cells.
 ///
-/// Finds q with |q| <= g, the slip s = shift - change - A (q - q_before) of body 2 over body 1 in the step, s = 0 where |q| < g,
+/// Finds q with |q| <= g, the slip s = shift - change - A (q - q_before) - entry q of body 2 over body 1 in the step, s = 0 where |q| < g,
 /// and s along q where |q| = g, with A the displacement of body 1 minus that of body 2 by shears: docs/theory/contact.md
 /// (stick-slip). This is the minimum of a convex function, so the solution of every step is unique, up to shears that cause no
 /// displacement.

@@ -47,7 +47,8 @@ public:
     std::span<const double> lower_x, upper_x; ///< residual and thermal displacement along x [m]
     std::span<const double> lower_y{}, upper_y{};
     double lower_columns = 0.0,
-           upper_columns = 0.0; ///< columns that the contact has moved on the bodies in the increment
+           upper_columns = 0.0;    ///< columns that the contact has moved on the bodies in the increment
+    std::span<const double> gap{}; ///< [m]
   };
   /// Data of an increment at its beginning.
   struct Start

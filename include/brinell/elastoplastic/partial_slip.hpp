@@ -5,9 +5,15 @@
 #include "brinell/halfspace/traction_compliance.hpp"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
+
+namespace brinell::contact
+{
+class EntryCompliance;
+}
 
 namespace brinell::elastoplastic
 {
@@ -23,6 +29,7 @@ public:
   /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
   PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
               double reference);
+  ~PartialSlip() override;
 
   [[nodiscard]] std::array<double, 2> direction(const contact::TangentialDrive& along) const override;
   void begin(Start start) override;
@@ -109,7 +116,7 @@ private:
   [[nodiscard]] double bound_of_onset(std::size_t cell) const;
   [[nodiscard]] double heat_at(std::size_t cell) const;
   [[nodiscard]] double bound_at(std::size_t cell, double pressure) const;
-  void set_bound(std::span<const double> pressure);
+  bool set_bound(std::span<const double> pressure);
   [[nodiscard]] bool carries_drive() const;
   [[nodiscard]] bool solve(const Bodies& bodies);
   void find_displacement(const Bodies& bodies, std::span<const double> pressure, Pair& out);
@@ -119,6 +126,8 @@ private:
   halfspace::TractionCompliance pair_; ///< of both bodies
   halfspace::TractionCompliance::Scratch scratch_;
   contact::TangentialContact tangential_;
+  std::unique_ptr<contact::EntryCompliance> entry_; ///< of points that roll into the contact
+  int entries_ = 0;                                 ///< how often it has been found in the increment
   bool couples_;
   Start start_;
   contact::TangentialDrive drive_; ///< of the increment

@@ -28,6 +28,7 @@ struct ExpectedError
   std::string
       name; ///< pattern for the numbers' names in the summary, * matches anything: "residual.max_*_m"; may be empty
   double relative = 0.0; ///< error relative to the value, at most 1
+  double order = 2.0;    ///< of the error in the size of the cells
 };
 
 /// Resolution of the cells, and errors found with the same resolution in the convergence tables of docs/verification/accuracy.md.

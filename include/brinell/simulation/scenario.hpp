@@ -111,7 +111,9 @@ struct Plan
   elastoplastic::Scales scales; ///< of the tolerances
   double first_yield = 0.0;     ///< approach at which a body yields, with friction, not below 1 % of the largest [m]
   double peak_pressure = 0.0;   ///< of the smooth bodies if they stayed elastic, estimate [Pa]; 0 without an estimate
-  double reference = 0.0;       ///< reference distance of the displacement with one periodic axis [m]
+  /// Elastic peak pressure of the smooth bodies over that at first yield, with the friction of surfaces that slide; 0: not known.
+  double peak_over_yield = 0.0;
+  double reference = 0.0; ///< reference distance of the displacement with one periodic axis [m]
 };
 
 /// Extent of contact and plastic zone in cells so far, from which the resolution is judged (simulation/quality.hpp).
@@ -262,7 +264,7 @@ struct RunTotals : RunningTotals
   long evaluations = 0;
   int split_increments = 0; ///< steps that did not converge in one increment: split, or solved by plain descent
   double max_share_at_shear_limit = 0.0;   ///< largest `FrictionRecord::share_at_shear_limit` of the run
-  std::array<double, 2> max_temperature{}; ///< largest of the lower and of the upper surface in the run [deg C]
+  std::array<double, 2> max_temperature{}; ///< largest of the lower and of the upper surface in motion [deg C]
   int most_held_cells = 0;                 ///< `Heating::most_held_cells`
   double share_of_held_cells = 0.0;        ///< `Heating::share_of_held_cells`
   /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear

@@ -125,6 +125,8 @@ class TangentialContact:
             change_y: (ny, nx) the same along y [m]; None: zero.
             carried: for rolling: number of cells along x and y by which both surfaces, and with them the shear of the
                 previous step, have moved through the contact in this step. The shift is then creepage times distance.
+                Where points come into the contact between two cells follows from pressure and gap, which
+                `FrictionalContact.step` knows and this step does not: here forces have an error of first order.
             tolerance: largest accepted residual [m]. None: 1e-7 (integral of the bound)/(E' sqrt(area of the grid)),
                 which is far below the shift at which the whole contact slides.
             max_iterations: largest number of iterations.

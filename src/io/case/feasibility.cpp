@@ -60,6 +60,21 @@ std::string critical_report(const Case& c)
                            c.scenario);
 }
 
+/// How far the pressure is above that at first yield, with the friction of surfaces that slide.
+template <typename ScenarioCase>
+std::string yield_report(const ScenarioCase& s, const simulation::Plan& plan)
+{
+  if (!(plan.peak_over_yield > 0.0 && std::isfinite(plan.peak_over_yield)))
+    return "";
+  const double friction = s.friction.coefficient;
+  std::string text = fmt::format("# Elastic peak pressure: {:.6e} Pa, {:.4g} times that at first yield",
+                                 plan.peak_pressure, plan.peak_over_yield);
+  if (friction > 0.0)
+    text += fmt::format(" of surfaces that slide with friction {:g}", friction);
+  const bool is_exact = !simulation::reason_against_first_yield(s.lower, s.upper, s.domain);
+  return text + (is_exact ? "\n" : " (estimate for a round contact)\n");
+}
+
 std::string grid_report(const simulation::Plan& plan)
 {
   std::string text = fmt::format("# Cells: dx = {:.4e} m, dy = {:.4e} m, dz = {:.4e} m\n", plan.contact.dx,
@@ -181,7 +196,7 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
              {
                using Plan = decltype(simulation::plan(scenario));
                const Plan& p = std::get<Plan>(plan);
-               return io_of(scenario).motion(scenario, p) + grid_report(p) +
+               return yield_report(scenario, p) + io_of(scenario).motion(scenario, p) + grid_report(p) +
                       fmt::format("# Cost, roughly: {} of memory, {:.0f} bytes per cell of the bodies that are solved; "
                                   "{} on one core\n",
                                   size_text(p.memory_bytes), p.memory_bytes / solved_cells(p),

@@ -121,19 +121,20 @@ double scale_of_number(const std::string& name, const std::map<std::string_view,
   return name.starts_with("load_ratio") ? ratio : strain;
 }
 
-/// Expected error of a number, from the tables that also give the expected errors of every run.
-double expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
+/// Expected error of a number and its order, from the tables that also give the expected errors of every run; none without an entry.
+simulation::ExpectedError expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
 {
-  for (const auto& [quantity, pattern, relative] : errors)
+  for (const simulation::ExpectedError& error : errors)
   {
+    const std::string& pattern = error.name;
     const auto star = pattern.find('*');
     const bool matches = star == pattern.npos
                              ? !pattern.empty() && name == pattern
                              : name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
     if (matches)
-      return relative;
+      return error;
   }
-  return 0.0;
+  return {};
 }
 
 /// Expected errors of a run of the series: those that it has stated itself, which know the contact as it was, otherwise those before
@@ -200,9 +201,11 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
     for (const Level& level : levels)
       if (const auto found = level.numbers.find(name); found != level.numbers.end() && std::isfinite(found->second))
         values.push_back(found->second);
-    if (values.size() == levels.size())
-      accuracy.numbers[name] =
-          simulation::convergence(cells, values, scale_of_number(name, largest), expected_error(errors, name));
+    if (values.size() != levels.size())
+      continue;
+    const simulation::ExpectedError expected = expected_error(errors, name);
+    accuracy.numbers[name] =
+        simulation::convergence(cells, values, scale_of_number(name, largest), expected.relative, expected.order);
   }
   accuracy.key_numbers = key_names(c.scenario, finest);
   std::erase_if(accuracy.key_numbers, [&](const std::string& name) { return !accuracy.numbers.contains(name); });

@@ -42,6 +42,22 @@ TEST(Convergence, FindsTheOrderAndTheLimitOfAPower)
     }
 }
 
+TEST(Convergence, AnOrderAboveTheKnownOneIsAccidental)
+{
+  // Errors of first order, of which the coarsest is too large, so that the differences fall as of order 2.15.
+  const double r = std::sqrt(2.0), limit = 7.0, error = 0.3;
+  const double fine = error * (r - 1.0);
+  const std::vector<double> cells{r * r, r, 1.0};
+  const std::vector<double> values{limit + error + fine + fine * std::pow(r, 2.15), limit + error + fine,
+                                   limit + error};
+  const Convergence free = convergence(cells, values, 0.0), known = convergence(cells, values, 0.0, 0.0, 1.0);
+  EXPECT_NEAR(known.order, 2.15, 1e-6);
+  EXPECT_GT(free.low, limit);
+  EXPECT_LT(known.low, limit);
+  EXPECT_NEAR(known.extrapolated, limit, 1e-9);
+  EXPECT_NEAR(known.high - known.value, 1.25 * error, 1e-9);
+}
+
 TEST(Convergence, TakesAnyRatiosOfCells)
 {
   const std::vector<double> cells{3.0, 2.0, 1.7};
