@@ -23,8 +23,9 @@ namespace brinell::simulation
 struct Move
 {
   std::function<Target(double)> path;
-  double finest;     ///< shortest piece of the path into which a step may be split
-  std::string where; ///< for messages
+  double finest;                    ///< shortest piece of the path into which a step may be split
+  std::string where;                ///< for messages
+  std::function<void()> at_onset{}; ///< see Stepper::advance
 };
 
 /// The motion of a scenario and the evaluation of its steps: everything that distinguishes one scenario from another.
@@ -92,7 +93,7 @@ public:
     has_failed_ = true; // until the step is complete: a step that was interrupted by an exception must not be continued
     const Move move = motion_.next(stepper_);
     Record record;
-    record.evaluations = stepper_.advance(move.path, move.finest, move.where);
+    record.evaluations = stepper_.advance(move.path, move.finest, move.where, move.at_onset);
     stepper_.fill(record);
     record.step = steps_++;
     record.work = last_.work;
