@@ -79,7 +79,7 @@ SlidingCase layer_case(const Moduli& moduli, double pressure, double friction)
   c.lower.texture = Sinusoid{1e-12, period, period};
   c.upper = {Plane{}, {Elastic{std::numeric_limits<double>::infinity(), 0.0}, {}}};
   c.domain.x = {Boundary::periodic, period, 8};
-  c.domain.y = {Boundary::periodic, period, 1};
+  c.domain.y = {Boundary::periodic, period, 8};
   c.domain.layer = 0.5 * thickness;
   c.friction.coefficient = friction;
   c.press = {contact::Drive::Kind::load, pressure * period * period};
