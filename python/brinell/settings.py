@@ -167,6 +167,8 @@ class Solver(_Table):
         shortcuts: whether, within an increment, the stress is computed only in the layers near yield and the heat only
             approximately.
         windows: with `shortcuts`, whether only the columns near the contact are computed within an increment.
+        onset_increments: where sliding begins or reverses, number of increments at rest in which friction is raised by
+            the shear yield stress; 0: friction is raised in one increment, together with the first motion.
     """
 
     accuracy: float | str | None = None
@@ -180,6 +182,7 @@ class Solver(_Table):
     symmetry: bool | None = None
     shortcuts: bool | None = None
     windows: bool | None = None
+    onset_increments: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

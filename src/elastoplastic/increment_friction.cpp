@@ -114,6 +114,9 @@ void CoupledContact::begin_friction(const Placement& placement, const Strategy& 
                                     const contact::TangentialDrive& along)
 {
   driven_along_ = interface_->direction(along);
+  if (strategy.share_at_rest.value_or(1.0) < 0.0)
+    for (double& part : driven_along_)
+      part = -part;
   if (heating_ && partial_slip() != nullptr)
     heating_->recall({lower().grid(), upper().grid()}, {placement.lower, placement.upper}, columns_moved(placement));
   std::vector<double> limit = shear_limit(placement, driven_along_);
@@ -127,7 +130,8 @@ void CoupledContact::begin_friction(const Placement& placement, const Strategy& 
                                    .holds_law = strategy.watch_energy,
                                    .tolerance = settings_.tolerance_of_contact() * scales_.gap,
                                    .approach = scales_.gap,
-                                   .wants_stop = strategy.wants_stop});
+                                   .wants_stop = strategy.wants_stop,
+                                   .share_at_rest = strategy.share_at_rest});
               });
 }
 

@@ -69,7 +69,7 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   else if (!lower.is_rigid())
     lower_alone_.emplace(grid, lower, rigid_body, reference);
   for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch,
-                                     &state_.upper_stretch, &work_per_area_, &shear_at_start_})
+                                     &state_.upper_stretch, &state_.work_at_rest, &work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);
 }
 
@@ -80,6 +80,7 @@ void SlidingInterface::State::exchange(Archive& archive)
   archive("slip", slip);
   archive("lower_stretch", lower_stretch);
   archive("upper_stretch", upper_stretch);
+  archive("work_at_rest", work_at_rest);
   archive("work", work);
   archive("limited_share", limited_share);
 }
@@ -96,6 +97,7 @@ void SlidingInterface::begin(Start start)
   slides_ = start.slides;
   direction_ = direction(start.along)[0] > 0.0 ? 1 : -1;
   is_held_ = start.holds_law;
+  share_at_rest_ = start.share_at_rest;
   if (!slides_)
     for (std::vector<double>* field : {&state_.shear, &state_.depth})
       std::fill(field->begin(), field->end(), 0.0);
@@ -127,12 +129,15 @@ SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pre
 {
   Change change;
   std::size_t pressed = 0, limited = 0;
+  const double share = slides_ ? share_at_rest_.value_or(1.0) : 0.0;
+  const double sense = share < 0.0 ? -direction_ : direction_;
+  const double size = std::abs(share) * friction().coefficient;
   for (std::size_t i = 0; i < pressure.size(); ++i)
   {
-    const double wanted = slides_ ? friction().coefficient * pressure[i] : 0.0;
+    const double wanted = size * pressure[i];
     pressed += pressure[i] > 0.0 ? 1 : 0;
     limited += wanted > limit_[i] ? 1 : 0;
-    const double shear = direction_ * std::min(wanted, limit_[i]);
+    const double shear = sense * std::min(wanted, limit_[i]);
     change.shear = larger(change.shear, std::abs(shear - state_.shear[i]));
     state_.shear[i] = shear;
   }
@@ -182,7 +187,8 @@ void SlidingInterface::find_displacements(const Bodies& bodies)
 
 /// Work of the shear on the displacement of the material under it: by the change within a cell of the contact grid, and because
 /// the cell moves along the bodies. Both parts use the trapezoidal rule. Where surfaces begin to slide, or reverse, the shear
-/// grows in proportion to the displacement that it causes, so that the rule uses the shear before the increment.
+/// grows in proportion to the displacement that it causes, so that the rule uses the shear before the increment. Increments at rest
+/// have no way of sliding to turn into heat: the elastic energy of their shear is taken from the heat of the next one.
 void SlidingInterface::settle(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
@@ -196,6 +202,11 @@ void SlidingInterface::settle(const Bodies& bodies)
     work_per_area_[i] = in_cell - on_lower + on_upper;
   }
   state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
+  add(1.0, before_.work_at_rest, work_per_area_);
+  if (share_at_rest_)
+    state_.work_at_rest = work_per_area_;
+  else
+    std::fill(state_.work_at_rest.begin(), state_.work_at_rest.end(), 0.0);
 }
 
 /// By the mean of the shear at the beginning and at the end of the increment: second order in the step.
@@ -238,10 +249,17 @@ double SlidingInterface::force_at_start() const
   return sum(shear_at_start_) * pair_.grid().cell_area();
 }
 
+double SlidingInterface::share_of(const contact::TangentialDrive& along) const
+{
+  const auto acts = std::find_if(state_.shear.begin(), state_.shear.end(), [](double q) { return q != 0.0; });
+  return acts == state_.shear.end() ? 0.0 : std::copysign(1.0, *acts) * direction(along)[0];
+}
+
 void SlidingInterface::embed(const Interface& smaller)
 {
   const auto& other = dynamic_cast<const SlidingInterface&>(smaller);
   embed_field(other.pair_.grid(), other.state_.shear, pair_.grid(), state_.shear);
+  embed_field(other.pair_.grid(), other.state_.work_at_rest, pair_.grid(), state_.work_at_rest);
   state_.work = other.state_.work;
   state_.limited_share = other.state_.limited_share;
 }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace brinell::simulation
 {
@@ -74,7 +75,8 @@ public:
     };
     const double cells = plan_.shift / plan_.contact.dx;
     const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
-    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to), moves};
+    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to), moves,
+            [this, &stepper] { read_onset(stepper); }};
   }
 
   void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
@@ -93,7 +95,7 @@ public:
       previous_.F_X += at_start - previous_.sliding_force;
       previous_.sliding_force = at_start;
     }
-    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
+    r.work += std::exchange(work_at_rest_, 0.0) + 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
               0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
     r.dissipation_friction +=
         0.5 * (sliding_force + previous_.sliding_force) * (r.x - previous_.x) - stepper.shear_work();
@@ -158,6 +160,17 @@ private:
   [[nodiscard]] bool is_rolling() const
   {
     return step_in_pass_ >= case_.load_steps && step_in_pass_ < case_.load_steps + plan_.rolling_steps;
+  }
+  /// Takes over the forces under which the contact begins to roll, when friction has been raised at rest.
+  void read_onset(Stepper& stepper)
+  {
+    const Stepper::Depths& depths = stepper.loaded_depths(centre(previous_.x));
+    const double load = stepper.pair().load(), approach = stepper.pair().approach();
+    work_at_rest_ = 0.5 * (load + previous_.F_n) * (approach - previous_.approach);
+    const double shear = (1.0 - share_) * stepper.pair().sliding()->force();
+    const double resistance =
+        rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
+    previous_ = {previous_.x, approach, load, resistance + shear, shear, previous_.along};
   }
   /// Fills the tangential forces and, with partial slip, work, heat and stick of the creepage.
   void read_shear(const Stepper& stepper, RollingRecord& r)
@@ -262,6 +275,7 @@ private:
   DriveState previous_;
   std::vector<RollingPass> passes_;
   double touch_ = 0.0; ///< approach at which the surfaces just touch, where an imposed approach begins and ends [m]
+  double work_at_rest_ = 0.0; ///< of the load in the current step, while friction was raised [J]
   int pass_ = 0, step_in_pass_ = 0;
 };
 

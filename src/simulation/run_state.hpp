@@ -28,6 +28,7 @@ struct Move
   /// Whether the step belongs to the motion that the run is about. While the bodies are pressed together before it or part after
   /// it, how fast they do so is a choice of the program, and so are the temperatures.
   bool is_motion = true;
+  std::function<void()> at_onset{}; ///< see Stepper::advance
 };
 
 /// The motion of a scenario and the evaluation of its steps: everything that distinguishes one scenario from another.
@@ -95,7 +96,7 @@ public:
     has_failed_ = true; // until the step is complete: a step that was interrupted by an exception must not be continued
     const Move move = motion_.next(stepper_);
     Record record;
-    record.evaluations = stepper_.advance(move.path, move.finest, move.where);
+    record.evaluations = stepper_.advance(move.path, move.finest, move.where, move.at_onset);
     stepper_.fill(record);
     record.step = steps_++;
     record.work = last_.work;

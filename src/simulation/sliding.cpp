@@ -18,6 +18,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <utility>
 
 namespace brinell::simulation
 {
@@ -71,7 +72,8 @@ public:
     };
     const double cells = plan_.shift / plan_.contact.dx;
     return {path, moves ? std::min(1.0, 0.5 / cells) : finest_press,
-            fmt::format("step {}, slid by {:g} m", done_, slid(done_ + 1.0)), moves};
+            fmt::format("step {}, slid by {:g} m", done_, slid(done_ + 1.0)), moves,
+            [this, &stepper] { read_onset(stepper); }};
   }
 
   void read(Stepper& stepper, const SlidingRecord& before, SlidingRecord& r)
@@ -96,8 +98,9 @@ public:
       previous_.shear = stepper.shear_force_at_start();
     }
     const double moved = now.slid - previous_.slid;
-    r.work +=
-        0.5 * (now.F_n + previous_.F_n) * (now.approach - previous_.approach) + 0.5 * (now.F_x + previous_.F_x) * moved;
+    r.work += std::exchange(work_at_rest_, 0.0) +
+              0.5 * (now.F_n + previous_.F_n) * (now.approach - previous_.approach) +
+              0.5 * (now.F_x + previous_.F_x) * moved;
     r.dissipation_friction += 0.5 * (now.shear + previous_.shear) * moved - stepper.shear_work();
     previous_ = now;
     if (moves)
@@ -140,6 +143,15 @@ private:
       archive("shear", shear);
     }
   };
+
+  /// Takes over the forces under which the upper body begins to slide, when friction has been raised at rest.
+  void read_onset(Stepper& stepper)
+  {
+    const double load = stepper.pair().load(), approach = stepper.pair().approach();
+    work_at_rest_ = 0.5 * (load + previous_.F_n) * (approach - previous_.approach);
+    const double shear = stepper.pair().sliding()->force();
+    previous_ = {previous_.slid, approach, load, ploughing(stepper, centre(previous_.slid)) + shear, shear};
+  }
 
   static constexpr double finest_press = 1.0 / 64; ///< shortest piece of a step that does not slide
   /// Time since the start after a number of steps [s]; 0 without a speed.
@@ -233,8 +245,9 @@ private:
   DriveState previous_;
   StrokeReader reader_;
   std::vector<SlidingStroke> strokes_;
-  double lifted_ = 0.0; ///< value of the drive without contact
-  int done_ = 0;        ///< number of finished steps
+  double lifted_ = 0.0;       ///< value of the drive without contact
+  double work_at_rest_ = 0.0; ///< of the load in the current step, while friction was raised [J]
+  int done_ = 0;              ///< number of finished steps
 };
 
 // docs/verification/accuracy.md (expected error)

@@ -2,6 +2,7 @@
 #include "stepper.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/first_yield.hpp"
 #include "coverage.hpp"
 #include "foundation/nan.hpp"
 #include "grid_layout.hpp"
@@ -151,14 +152,23 @@ void Stepper::exchange(Archive& archive)
   archive("coverage", coverage_);
 }
 
-int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where)
+int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where,
+                     const std::function<void()>& at_onset)
 {
   evaluations_ = 0;
   where_ = where;
   const auto work_so_far = [this] { return pair_->sliding() != nullptr ? pair_->sliding()->work() : 0.0; };
   const double work_before = work_so_far();
   shear_force_at_start_.reset();
-  if (!attempt(path(1.0)))
+  const Target end = path(1.0);
+  const double from = pair_->sliding() != nullptr && end.slides ? pair_->sliding()->share_of(end.along) : 1.0;
+  if (const int increments = from < 1.0 ? onset_increments(from) : 0; increments > 0)
+  {
+    raise_friction(path(0.0), end.along, from, increments);
+    if (at_onset)
+      at_onset();
+  }
+  if (!attempt(end))
   {
     ++split_increments_;
     bisect(path, 0.0, 1.0, finest);
@@ -167,6 +177,52 @@ int Stepper::advance(const std::function<Target(double)>& path, double finest, c
   shear_work_ = work_so_far() - work_before;
   extend(coverage_, *pair_);
   return evaluations_;
+}
+
+/// Number of increments in which friction is raised to its full value; 0 where this needs none at rest.
+/// @param from  present share of friction
+int Stepper::onset_increments(double from) const
+{
+  double strength = std::numeric_limits<double>::infinity(); // in shear, where a body is weakest
+  for (const constitutive::Material* material : {&setup_.lower, &setup_.upper})
+    if (material->is_plastic())
+      strength = std::min(strength, smallest_yield_factor(*material) *
+                                        constitutive::initial_yield_stress(*material->hardening) / std::sqrt(3.0));
+  const std::span<const double> pressure = pair_->pressure();
+  const double peak = *std::max_element(pressure.begin(), pressure.end());
+  const double parts = setup_.solver.onset_increments;
+  const double shear = setup_.sliding.friction.coefficient * peak;
+  if (!(std::isfinite(strength) && shear > 0.0 && parts > 0.0))
+    return 0;
+  constexpr double most = 4.0; // times the shear yield stress: beyond it the surface limits the shear
+  const double growth = std::min((1.0 - from) * shear / strength, most);
+  return std::max(1, static_cast<int>(std::ceil(growth * parts)));
+}
+
+/// Raises friction to its full value at the present place, in equal parts.
+/// @param start  the present state, as a target
+/// @param from   present share of friction
+void Stepper::raise_friction(const Target& start, const contact::TangentialDrive& along, double from, int increments)
+{
+  const auto path = [&](double t)
+  {
+    Target target = start;
+    target.along = along;
+    target.slides = true;
+    target.share_at_rest = t == 1.0 ? 1.0 : from + t * (1.0 - from);
+    return target;
+  };
+  constexpr double finest = 1.0 / 64; // of an increment
+  bool is_split = false;
+  for (int i = 0; i < increments; ++i)
+  {
+    const double begin = static_cast<double>(i) / increments, end = static_cast<double>(i + 1) / increments;
+    if (attempt(path(end)))
+      continue;
+    is_split = true;
+    bisect(path, begin, end, finest / increments);
+  }
+  split_increments_ += is_split ? 1 : 0;
 }
 
 void Stepper::bisect(const std::function<Target(double)>& path, double begin, double end, double finest)
@@ -190,6 +246,7 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
     in_time.slid = target.slid - slid_;
     in_time.is_put_down = target.is_put_down;
     in_time.returns = target.returns;
+    in_time.share_at_rest = target.share_at_rest;
     if (target.passing)
       in_time.moved = {(*target.passing)[0] * in_time.duration, (*target.passing)[1] * in_time.duration};
     else if (!target.is_put_down)
@@ -201,7 +258,7 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
       centre_ = target.centre;
       time_ = target.time;
       slid_ = target.slid;
-      if (!shear_force_at_start_ && pair_->sliding() != nullptr)
+      if (!target.share_at_rest && !shear_force_at_start_ && pair_->sliding() != nullptr)
         shear_force_at_start_ = pair_->sliding()->force_at_start();
     }
     if (!report.outgrown.any())

@@ -31,6 +31,7 @@ struct Target
   /// Velocities along x with which a steady flux passes the lower and the upper body although the contact does not move over
   /// them: those of the motion before which they are pressed together and after which they part [m/s].
   std::optional<std::array<double, 2>> passing{};
+  std::optional<double> share_at_rest{}; ///< see Strategy::share_at_rest
 };
 
 /// The contact grid at one moment of the motion.
@@ -89,10 +90,14 @@ public:
   /// it is longer than `finest`. A piece of the finest length that does not converge is solved by the plain fixed point of the
   /// convex problem (backward Euler), whose energy is watched. If a solution outgrows a grid, the grid is enlarged and the piece
   /// is solved again.
-  /// @param where  description of the step for messages.
+  /// Where plastic surfaces begin to slide, or reverse, under pressure, friction is raised at `path(0)` first, in increments at rest:
+  /// docs/theory/simulation.md (friction).
+  /// @param where     description of the step for messages.
+  /// @param at_onset  called when full friction acts and the surfaces have not moved yet; not called in other steps.
   /// @returns number of evaluations.
   /// @throws ConvergenceError; GridError if larger grids do not fit into the memory
-  int advance(const std::function<Target(double)>& path, double finest, const std::string& where);
+  int advance(const std::function<Target(double)>& path, double finest, const std::string& where,
+              const std::function<void()>& at_onset = {});
 
   /// Distances of the surfaces under the contact grid, with texture and residual displacement, at zero approach [m].
   struct Distances
@@ -135,6 +140,8 @@ public:
   void exchange(Archive& archive);
 
 private:
+  [[nodiscard]] int onset_increments(double from) const;
+  void raise_friction(const Target& start, const contact::TangentialDrive& along, double from, int increments);
   void bisect(const std::function<Target(double)>& path, double begin, double end, double finest);
   bool attempt(const Target& target);
   [[nodiscard]] elastoplastic::IncrementReport solved(const Target& target, const elastoplastic::Strategy& strategy);

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -97,6 +98,10 @@ struct Strategy
   bool returns = false; ///< includes the way back of the contact to its start: no heat from a HeatSource
   /// Distances that the contact moves over the lower and the upper body in the increment [m]. Placements follow by whole columns.
   std::array<double, 2> moved{};
+  /// Of surfaces that slide everywhere: the share of the full friction at the end of an increment in which friction is raised before
+  /// the surfaces move, from -1, the friction of the opposite direction, to 1; none: the surfaces move under full friction. The
+  /// work of the shear in increments at rest counts as heat of the next increment that moves.
+  std::optional<double> share_at_rest{};
 };
 
 /// The history of two bodies, with the grids of its fields.

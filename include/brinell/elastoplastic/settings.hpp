@@ -30,6 +30,9 @@ struct Settings
   /// With short cuts, on a body longer than what an increment changes: until the increment is nearly solved, compute only the columns of
   /// the active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
   bool windows = true;
+  /// Where sliding begins or reverses, friction is raised before the surfaces move, in as many increments as it grows by parts of
+  /// the shear yield stress, this number of parts being the whole of it. 0: in one increment together with the first motion.
+  int onset_increments = 16;
 
   /// Complementarity to which contacts are solved. With smaller tolerances of yield and displacement than the default ones it is
   /// smaller than `contact_tolerance`: what the contact leaves unsolved changes from evaluation to evaluation, so that it must

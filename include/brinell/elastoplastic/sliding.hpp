@@ -46,13 +46,16 @@ public:
   /// It opposes the motion of this increment: at a reversal, it has changed its sign before the surfaces move; surfaces that begin
   /// to slide have the full shear of their pressure.
   [[nodiscard]] double force_at_start() const;
+  /// Share of the full friction that acts now, for surfaces that are driven along `along`: 1 where they slide this way already, -1
+  /// where they slide the other way, 0 without shear.
+  [[nodiscard]] double share_of(const contact::TangentialDrive& along) const;
   /// Adds the elastic normal displacement of each surface under the shear of the last increment, positive into the body [m].
   void add_depth(std::span<double> lower, std::span<double> upper) const;
   /// Work of the shear on the deformation of both bodies since the start [J].
   [[nodiscard]] double work() const { return state_.work; }
 
   /// Heat of friction per area in the last increment [J/m^2]: work of the shear on the sliding distance, minus its work on the
-  /// deformation of the bodies.
+  /// deformation of the bodies in this increment and in those at rest before it.
   /// @param slid  sliding distance of the undeformed surfaces in the increment [m]
   [[nodiscard]] std::vector<double> heat_per_area(double slid) const;
   /// Work per area of the shear of the trial on the sliding distance [J/m^2].
@@ -73,6 +76,8 @@ private:
     std::vector<double> slip; ///< displacement along x, lower minus upper surface [m]
     /// Shear times the slope of the displacement along x, for each body [Pa].
     std::vector<double> lower_stretch, upper_stretch;
+    /// Work of the shear on the deformation in increments at rest since the surfaces moved last [J/m^2].
+    std::vector<double> work_at_rest;
     double work = 0.0;
     double limited_share = 0.0;
 
@@ -92,9 +97,11 @@ private:
   /// (1 - 2 nu)/(2 mu) [1/Pa]: couples pressure to displacement along x, and shear to displacement along z.
   double lower_weight_, upper_weight_;
   bool slides_ = false, is_held_ = false;
+  std::optional<double> share_at_rest_; ///< Strategy::share_at_rest
   std::vector<double> limit_, shear_at_start_;
-  State state_, before_;              ///< now, and before the increment
-  std::vector<double> work_per_area_; ///< work of the shear on the deformation in the last increment [J/m^2]
+  State state_, before_; ///< now, and before the increment
+  std::vector<double>
+      work_per_area_; ///< work of the shear on the deformation for the heat of the last increment [J/m^2]
 };
 
 } // namespace brinell::elastoplastic

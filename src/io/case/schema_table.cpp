@@ -146,6 +146,12 @@ std::vector<Entry> solver_entries()
           "If `shortcuts` is true and a body is longer than what an increment changes, compute the stress within an "
           "increment only in a window of columns around yielding cells and pressure; the last evaluation computes the "
           "whole body. false: no window (a check; the results agree within the tolerances)."),
+      entry(
+          "onset_increments", &Settings::onset_increments, kind::number.between(0, 1000),
+          "Where surfaces that slide everywhere begin to slide, or reverse, friction is raised before they move: in "
+          "one "
+          "increment for this part of the shear yield stress of the weaker body, 1/16 by default. 0: in one increment "
+          "together with the first motion, which makes the plastic work of the onset too small."),
       bound({.key = "solver.accuracy",
              .of = kind::share.up_to(0.0, 0.5),
              .unset = "one run, with the cells as given",
