@@ -144,9 +144,10 @@ void warn_of_thermal(const CaseReader& reader, const std::string& body, const co
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
 
 /// Replace hardening.file and each texture.file of a body by the content of these files, so that the resolved case needs no
-/// further files.
+/// further files. Warnings tell where the case says something else than the file.
 void load_hardening_file(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
-void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
+void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems,
+                        std::vector<Warning>& warnings);
 
 /// Completes the case of the scenario: checks that need more than the schema, equivalent radius, contact modulus, first yield and
 /// warnings. Errors are added to the reader's problems.

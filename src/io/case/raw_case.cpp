@@ -3,6 +3,7 @@
 
 #include "brinell/io/schema.hpp"
 #include "io/files.hpp"
+#include "io/input_lines.hpp"
 #include "io/text.hpp"
 #include "suggestion.hpp"
 #include "toml_text.hpp"
@@ -125,6 +126,8 @@ toml::table override_table(const std::string& value)
   }
   catch (const toml::parse_error&)
   {
+    if (const std::string plain = with_plain_signs(value); plain != value)
+      return override_table(plain);
   }
   toml::table text;
   text.insert("value", value);

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/nan.hpp"
+#include "io/input_lines.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -44,6 +45,8 @@ constexpr std::array units{
     Unit{"rad", {}}, // only per length; plain angles are read by `degrees`
     Unit{"Hz", {.time = -1}},
     Unit{"%", {}, -2, false},
+    Unit{"\u00c5", {.length = 1}, -10, false}, // angstrom, the letter and the sign
+    Unit{"\u212b", {.length = 1}, -10, false},
 };
 
 struct Prefix
@@ -253,9 +256,10 @@ std::string_view example_quantity(Dimension dimension)
   return named ? named->example : std::string_view{};
 }
 
-Quantity quantity(std::string_view text)
+Quantity quantity(std::string_view given)
 {
-  text = trimmed(text);
+  const std::string plain = with_plain_signs(given); // texts and web pages have other blanks and minus signs
+  std::string_view text = trimmed(plain);
   const auto number = take_number(text);
   if (!number)
     throw InputError("is not a number with a unit, such as \"3.85 mm\"");
@@ -271,8 +275,9 @@ Quantity quantity(std::string_view text)
   return result;
 }
 
-double degrees_celsius(std::string_view text)
+double degrees_celsius(std::string_view given)
 {
+  const std::string text = with_plain_signs(given);
   constexpr double ice_point = 273.15; // [K]
   const auto [value, unit] = number_and_unit(text);
   if (unit == "degC" || unit == "\u00b0C")
@@ -282,8 +287,9 @@ double degrees_celsius(std::string_view text)
   return value - ice_point;
 }
 
-double degrees(std::string_view text)
+double degrees(std::string_view given)
 {
+  const std::string text = with_plain_signs(given);
   constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
   const auto [value, unit] = number_and_unit(text);
   if (unit == "deg" || unit == "\u00b0")
