@@ -9,6 +9,7 @@
 #include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/history_csv.hpp"
+#include "brinell/io/printable.hpp"
 #include "brinell/io/schema.hpp"
 #include "brinell/io/versions.hpp"
 #include "brinell/options.hpp"
@@ -136,7 +137,7 @@ std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::War
 {
   std::vector<std::pair<std::string, std::string>> result;
   for (const io::Warning& warning : warnings)
-    result.emplace_back(warning.key, warning.text);
+    result.emplace_back(warning.key, io::printable(warning.text));
   return result;
 }
 
@@ -147,7 +148,7 @@ void bind_app(nb::module_& m)
   bind_commands(m);
   bind_columns(m);
   nb::class_<io::Case>(m, "Case")
-      .def_ro("name", &io::Case::name)
+      .def_prop_ro("name", [](const io::Case& c) { return io::printable(c.name); })
       .def_ro("title", &io::Case::title)
       .def_prop_ro("warnings", [](const io::Case& c) { return pairs(c.warnings); })
       .def_prop_ro("expected_warnings",
@@ -159,7 +160,7 @@ void bind_app(nb::module_& m)
           "write_resolved",
           [](const io::Case& c, const std::filesystem::path& file) { io::write_resolved(file, c.values); }, "file"_a)
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
-      .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
+      .def("check_report", [](const io::Case& c) { return io::printable(io::check_report(c, io::plan_case(c))); })
       .def("run", &run, "folder"_a, "resume"_a, "threads"_a, "on_step"_a.none())
       .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(

@@ -125,6 +125,7 @@ void bind_textures(nb::module_& m)
         "rms_slope"_a.none(), "hurst"_a, "rolloff"_a.none(), "seed"_a);
   m.def("bearing", &bearing, "heights"_a);
   m.def("length", &length, "text"_a);
+  m.def("with_plain_signs", &io::with_plain_signs, "text"_a);
   nb::class_<HeightText>(m, "HeightText")
       .def_ro("refusal", &HeightText::refusal)
       .def_prop_ro(

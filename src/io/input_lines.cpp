@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/input_lines.hpp"
 
+#include "brinell/io/units.hpp"
 #include "io/files.hpp"
 #include "io/text.hpp"
 
@@ -43,16 +44,6 @@ void end_lines_by_newline(std::string& text)
 
 } // namespace
 
-std::string with_plain_signs(std::string_view text)
-{
-  std::string plain(text);
-  if (std::none_of(plain.begin(), plain.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
-    return plain;
-  for (const std::string_view blank : {"\u00a0", "\u2007", "\u2009", "\u202f"})
-    plain = replaced(std::move(plain), blank, " ");
-  return replaced(std::move(plain), "\u2212", "-");
-}
-
 InputLines input_lines(const std::filesystem::path& file)
 {
   std::string text = input_text(file);
@@ -88,10 +79,15 @@ std::string InputLines::shown(std::string_view text) const
   text = text.substr(0, valid_utf8(text)); // no half of a character at the end
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i)
-    if (const auto byte = static_cast<unsigned char>(text[i]); !is_utf8 && (byte == 0xc2 || byte == 0xc3))
+  {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (!is_utf8 && (byte == 0xc2 || byte == 0xc3))
       result += fmt::format("\\x{:02x}", (byte & 0x03) << 6 | (static_cast<unsigned char>(text[++i]) & 0x3f));
+    else if (byte < 0x20 && byte != '\t')
+      result += fmt::format("\\x{:02x}", byte);
     else
       result += text[i];
+  }
   return result;
 }
 

@@ -44,7 +44,4 @@ class NoText : public InputError
 /// @throws NoText; InputError that is meant to follow the file's name; IoError
 [[nodiscard]] InputLines input_lines(const std::filesystem::path& file);
 
-/// A text without the characters that look like a blank or a minus sign but are others: U+00A0, U+2007, U+2009, U+202F, U+2212.
-[[nodiscard]] std::string with_plain_signs(std::string_view text);
-
 } // namespace brinell::io

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import contextlib
+import struct
 import warnings
 import zipfile
-import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
@@ -67,12 +67,12 @@ def read(
     if not path.is_file():
         raise IoError(f"{path}: no such file")
     try:
-        start = _start(path)
-        if path.suffix.lower() == ".npz" or (start.startswith(b"PK") and _is_npz(path)):
+        start, ending = _start(path), path.suffix.lower()
+        if start.startswith(b"PK") and (ending == ".npz" or _is_npz(path)):
             return _from_npz(path, spacing, unit, fill, channel)
-        if path.suffix.lower() == ".npy" or start.startswith(b"\x93NUMPY"):
+        if start.startswith(b"\x93NUMPY") or ending == ".npy":
             _refuse("channel", channel)
-            heights = _whole(_numbers(_loaded(path), "the array"), fill)
+            heights = _whole(_from_npy(path), fill)
             return HeightMap(heights if unit is None else heights * metres(unit), _needed(spacing, path))
         refusal = "is no text of heights"
         if not _is_binary(start):
@@ -81,6 +81,8 @@ def read(
                 _refuse("channel", channel)
                 return _from_text(path, text, spacing, fill)
             refusal = text.refusal
+        if ending == ".npz":
+            _loaded(path)  # which says what is wrong
         _refuse("layout", layout, refusal)
         heights, distances, periodic = read_instrument(path, spacing, unit, channel, refusal)
         return HeightMap(_whole(heights, fill), distances, periodic=periodic)
@@ -170,10 +172,22 @@ def _is_npz(path: Path) -> bool:
 def _loaded(path: Path) -> Any:
     try:
         return np.load(path)
-    except (EOFError, OSError, ValueError, SyntaxError, zipfile.BadZipFile, NotImplementedError) as error:
+    except Exception as error:  # NumPy raises what its parsers raise on a damaged header
         if isinstance(error, OSError) and error.errno is not None:
             raise  # the operating system could not read the file
         raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({_first_line(error)})") from error
+
+
+def _from_npy(path: Path) -> Any:
+    """The array of a .npy file, which must fill it: a damaged header could announce a smaller one."""
+    heights = _numbers(_loaded(path), "the array")
+    with path.open("rb") as file:
+        version = np.lib.format.read_magic(file)
+        length = struct.unpack("<H", file.read(2))[0] if version == (1, 0) else struct.unpack("<L", file.read(4))[0]
+        announced = file.tell() + length + heights.nbytes
+    if announced != path.stat().st_size:
+        raise InputError(f"is damaged: it has {path.stat().st_size} bytes and announces {announced}")
+    return heights
 
 
 def _first_line(error: Exception) -> str:
@@ -213,7 +227,7 @@ def _from_npz(path: Path, spacing: Spacing | None, unit: str | None, fill: bool,
             periodic = bool(file["periodic"]) if "periodic" in file else False
         except InputError:
             raise
-        except (zipfile.BadZipFile, zlib.error, EOFError, KeyError, TypeError, ValueError, SyntaxError) as error:
+        except Exception as error:  # as above
             raise InputError(f"is damaged, or no file of brinell.surfaces.write ({_first_line(error)})") from error
     whole = _whole(heights, fill) * (1.0 if unit is None else metres(unit))
     return HeightMap(whole, distances, x, y, periodic)

@@ -121,7 +121,7 @@ def _opened(path: Path, open_topography: Callable[[str], Any]) -> Iterator[list[
         if form in _WITHOUT_MARK and path.suffix.lower() != f".{form}":
             raise CannotDetectFileFormat(path)
         if form == "asc":
-            _require_whole_lines(path)
+            _require_whole_text(path)
         yield [_map_of_channel(channel) for channel in reader.channels]
 
 
@@ -213,26 +213,35 @@ def _map_of(chosen: _Map, spacing: Any, unit: str | None) -> tuple[FloatArray, t
     return heights, (float(dx), float(dy)), bool(topography.is_periodic)
 
 
-def _require_whole_lines(path: Path) -> None:
-    """Refuses text with a line that begins as numbers and goes on otherwise: the library would leave out this row."""
-    words_of_gaps = {"bad", "nan", "inf", "infinite"}
+def _require_whole_text(path: Path) -> None:
+    """Refuses text that the library would read without an error, but not as it is meant.
 
-    def is_number(word: str) -> bool:
-        if word.lower() in words_of_gaps:
-            return True
-        try:
-            float(word)
-        except ValueError:
-            return False
+    It takes a row with a word that is no number for a header and leaves it out, and ignores the scale of SDF in the
+    version BCR.
+    """
+    text = path.read_text(encoding="utf-8", errors="replace")
+    if text.startswith("aBCR"):
+        raise InputError(
+            f"is SDF {text[:8].strip()}, which SurfaceTopography does not read; export it as aISO-1.0 or .x3p"
+        )
+    lines = [line.split() for line in text.splitlines()]
+    numbers = [sum(map(_is_number, words)) for words in lines]
+    rows = [len(words) for words, count in zip(lines, numbers, strict=True) if words and count == len(words)]
+    columns = max(set(rows), key=rows.count, default=0)
+    announces = text.startswith("Wyko ASCII")  # its header has numbers, and the library counts the rows
+    for number, (words, count) in enumerate(zip(lines, numbers, strict=True), start=1):
+        is_row = bool(words) and count == len(words)
+        is_broken_row = not is_row and not announces and count >= max(2, columns // 2)
+        begins_as_row = not is_row and bool(words) and _is_number(words[0])
+        if is_broken_row or begins_as_row or (is_row and count != columns):
+            raise InputError(f"has in line {number} {' '.join(words)[:40]!r}; allowed: a header, or {columns} heights")
+
+
+def _is_number(word: str) -> bool:
+    if word.lower() in {"bad", "nan", "inf", "infinite"}:
         return True
-
-    length = 0
-    for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), start=1):
-        words = line.split()
-        if not words or not is_number(words[0]):
-            continue
-        if not all(map(is_number, words)):
-            raise InputError(f"has in line {number} {line.strip()[:40]!r}; allowed: heights")
-        if length and len(words) != length:
-            raise InputError(f"has {len(words)} heights in line {number} and {length} in earlier ones")
-        length = len(words)
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True

@@ -42,6 +42,26 @@ std::optional<Axis> axis_through(const std::vector<double>& sorted, double steps
   return fits ? std::optional(axis) : std::nullopt;
 }
 
+/// A coordinate and the number of points that have it.
+struct GridLine
+{
+  double place = 0.0;
+  std::size_t points = 0;
+};
+
+std::vector<GridLine> lines_of(const std::vector<double>& sorted)
+{
+  constexpr double rounding = 1e-9;
+  const double range = sorted.back() - sorted.front();
+  std::vector<GridLine> lines;
+  for (const double x : sorted)
+    if (lines.empty() || x - lines.back().place > rounding * range)
+      lines.push_back({x, 1});
+    else
+      ++lines.back().points;
+  return lines;
+}
+
 /// The axis of a column of coordinates; none if they are not equidistant. Coordinates that no point has are allowed.
 std::optional<Axis> axis_of(const NumberRows& table, std::size_t column)
 {
@@ -54,15 +74,26 @@ std::optional<Axis> axis_of(const NumberRows& table, std::size_t column)
   const double range = sorted.back() - sorted.front();
   if (!(range > 0.0))
     return Axis{sorted.front(), 0.0, 1};
-  constexpr double rounding = 1e-9;
-  const auto is_equal = [&](double a, double b) { return b - a <= rounding * range; };
-  sorted.erase(std::unique(sorted.begin(), sorted.end(), is_equal), sorted.end());
+  const std::vector<GridLine> lines = lines_of(sorted);
+  sorted.clear();
+  std::size_t most = 0;
+  for (const GridLine& line : lines)
+  {
+    sorted.push_back(line.place);
+    most = std::max(most, line.points);
+  }
   if (const auto axis = axis_through(sorted, static_cast<double>(sorted.size() - 1)))
     return axis;
-  double smallest = range; // whole rows or columns may be missing
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    smallest = std::min(smallest, sorted[i] - sorted[i - 1]);
-  return axis_through(sorted, std::round(range / smallest));
+  // Whole lines may be missing. Those with few points do not count: a wrong coordinate makes no finer grid.
+  double step = range;
+  const GridLine* before = nullptr;
+  for (const GridLine& line : lines)
+    if (2 * line.points >= most)
+    {
+      step = before ? std::min(step, line.place - before->place) : step;
+      before = &line;
+    }
+  return axis_through(sorted, std::round(range / step));
 }
 
 struct Grid

@@ -2,8 +2,8 @@
 #include "raw_case.hpp"
 
 #include "brinell/io/schema.hpp"
+#include "brinell/io/units.hpp"
 #include "io/files.hpp"
-#include "io/input_lines.hpp"
 #include "io/text.hpp"
 #include "suggestion.hpp"
 #include "toml_text.hpp"

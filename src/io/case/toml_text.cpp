@@ -2,7 +2,7 @@
 #include "toml_text.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "io/input_lines.hpp"
+#include "brinell/io/units.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

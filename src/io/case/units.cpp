@@ -3,7 +3,6 @@
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/nan.hpp"
-#include "io/input_lines.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -254,6 +253,16 @@ std::string_view example_quantity(Dimension dimension)
 {
   const auto* named = find(dimension);
   return named ? named->example : std::string_view{};
+}
+
+std::string with_plain_signs(std::string_view text)
+{
+  std::string plain(text);
+  if (std::none_of(plain.begin(), plain.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
+    return plain;
+  for (const std::string_view blank : {"\u00a0", "\u2007", "\u2009", "\u202f"})
+    plain = replaced(std::move(plain), blank, " ");
+  return replaced(std::move(plain), "\u2212", "-");
 }
 
 Quantity quantity(std::string_view given)

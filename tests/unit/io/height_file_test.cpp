@@ -203,6 +203,9 @@ TEST_F(HeightText, PointsThatAreNotThereAreNamed)
   EXPECT_EQ(file.first_gap, "at x = 2, y = 1 no point");
   EXPECT_EQ(read(without_row, {.unit = "um"}).first_gap, "at x = 0, y = 2 no point");
   EXPECT_EQ(read(without_row, {.unit = "um"}).gaps, 4u);
+  std::string astray = text; // one coordinate is wrong: no grid of twice as many columns
+  astray.replace(astray.find("3 3 1"), 5, "2.5 3 1");
+  expect_refused(astray, "points x, y, z that are not on a grid of equal steps", {.unit = "um"});
   const HeightFileOptions as_points{.unit = "um", .layout = HeightLayout::points};
   expect_refused("0 0 1\n1 0 1\n0 1 1\n1 1 1\n0 1 2\n", "has the point x = 0, y = 1 twice, in line 3 and line 5",
                  as_points);
