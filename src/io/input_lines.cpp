@@ -3,9 +3,9 @@
 
 #include "brinell/io/units.hpp"
 #include "io/files.hpp"
-#include "io/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace brinell::io
@@ -14,11 +14,28 @@ namespace brinell::io
 namespace
 {
 
-/// Control characters that do not occur in text.
-bool is_control(char c)
+/// Kinds of bytes.
+enum Kind : unsigned char
 {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte < 0x20 && white_space.find(c) == white_space.npos && c != '\n';
+  ascii,
+  control, ///< does not occur in text
+  high     ///< part of a character beyond ASCII
+};
+
+constexpr std::array<Kind, 256> kinds = []
+{
+  std::array<Kind, 256> result{};
+  for (std::size_t byte = 0; byte < result.size(); ++byte)
+  {
+    const bool is_blank = white_space.find(static_cast<char>(byte)) != white_space.npos || byte == '\n';
+    result[byte] = byte >= 0x80 ? high : byte < 0x20 && !is_blank ? control : ascii;
+  }
+  return result;
+}();
+
+Kind kind_of(char c)
+{
+  return kinds[static_cast<unsigned char>(c)];
 }
 
 std::string from_latin1(std::string_view bytes)
@@ -36,10 +53,15 @@ std::string from_latin1(std::string_view bytes)
 /// Ends each line as Unix does: "\r\n" of Windows and "\r" of old Macs become "\n".
 void end_lines_by_newline(std::string& text)
 {
-  if (text.find('\r') == text.npos)
+  std::size_t to = text.find('\r');
+  if (to == text.npos)
     return;
-  text = replaced(std::move(text), "\r\n", "\n");
-  std::replace(text.begin(), text.end(), '\r', '\n');
+  for (std::size_t from = to; from < text.size(); ++from)
+    if (text[from] != '\r')
+      text[to++] = text[from];
+    else if (from + 1 == text.size() || text[from + 1] != '\n')
+      text[to++] = '\n';
+  text.resize(to);
 }
 
 } // namespace
@@ -47,25 +69,31 @@ void end_lines_by_newline(std::string& text)
 InputLines input_lines(const std::filesystem::path& file)
 {
   std::string text = input_text(file);
-  if (const auto control = std::find_if(text.begin(), text.end(), is_control); control != text.end())
-    throw NoText(fmt::format("is no text: its byte {} is 0x{:02x}", control - text.begin() + 1,
-                             static_cast<unsigned char>(*control)));
-  InputLines result;
-  result.is_utf8 = valid_utf8(text) == text.size();
-  if (!result.is_utf8)
-    text = from_latin1(text);
-  text = with_plain_signs(text);
-  end_lines_by_newline(text);
-  int number = 1;
-  for (std::size_t begin = 0; begin < text.size(); ++number)
+  unsigned char found = 0;
+  for (const char c : text)
+    found |= static_cast<unsigned char>(kind_of(c));
+  if ((found & control) != 0)
   {
-    const auto end = std::min(text.find('\n', begin), text.size());
-    std::string line = text.substr(begin, end - begin);
+    const auto first = std::find_if(text.begin(), text.end(), [](char c) { return kind_of(c) == control; });
+    throw NoText(fmt::format("is no text: its byte {} is 0x{:02x}", first - text.begin() + 1,
+                             static_cast<unsigned char>(*first)));
+  }
+  InputLines result;
+  if ((found & high) != 0)
+  {
+    result.is_utf8 = valid_utf8(text) == text.size();
+    text = with_plain_signs(result.is_utf8 ? text : from_latin1(text));
+  }
+  end_lines_by_newline(text);
+  result.text = std::make_shared<const std::string>(std::move(text));
+  const std::string_view whole = *result.text;
+  int number = 1;
+  for (std::size_t begin = 0; begin < whole.size(); ++number)
+  {
+    const auto end = std::min(whole.find('\n', begin), whole.size());
+    const std::string_view line = whole.substr(begin, end - begin);
     if (const auto first = line.find_first_not_of(white_space); first != line.npos)
-    {
-      const bool is_comment = line[first] == '#';
-      result.lines.push_back({number, std::move(line), is_comment});
-    }
+      result.lines.push_back({number, line, line[first] == '#'});
     begin = end + 1;
   }
   return result;

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ inline constexpr std::string_view white_space = " \t\r\f\v\x1a";
 struct InputLine
 {
   int number = 0; ///< counted from 1
-  std::string text;
+  std::string_view text;
   bool is_comment = false; ///< begins with #
 };
 
@@ -26,6 +27,7 @@ struct InputLine
 /// blanks, and the minus sign U+2212 a hyphen.
 struct InputLines
 {
+  std::shared_ptr<const std::string> text; ///< of all lines
   std::vector<InputLine> lines;
   bool is_utf8 = true; ///< whether the file was; bytes of other files are taken as Latin-1
 

@@ -56,13 +56,20 @@ template <typename RowName>
 void find_gaps(const std::vector<double>& heights, std::size_t columns, const RowName& row_name, HeightFile& file)
 {
   const auto is_gap = [](double height) { return !std::isfinite(height); };
-  const auto first = std::find_if(heights.begin(), heights.end(), is_gap);
-  file.gaps = static_cast<std::size_t>(std::count_if(first, heights.end(), is_gap));
+  file.gaps = static_cast<std::size_t>(std::count_if(heights.begin(), heights.end(), is_gap));
   if (file.gaps == 0)
     return;
+  const auto first = std::find_if(heights.begin(), heights.end(), is_gap);
   const auto at = static_cast<std::size_t>(first - heights.begin());
   file.first_gap =
       fmt::format("in {}, column {} a height that is not finite", row_name(at / columns), at % columns + 1);
+}
+
+void scale(std::vector<double>& heights, double factor)
+{
+  if (factor != 1.0)
+    for (double& height : heights)
+      height *= factor;
 }
 
 void take_points(const InputLines& text, const HeightHeader& header, const HeightFileOptions& options,
@@ -117,8 +124,7 @@ try
     file.y = header.y;
     file.periodic = header.periodic;
   }
-  for (double& height : file.table.heights)
-    height *= metres;
+  scale(file.table.heights, metres);
   return file;
 }
 catch (const NoText& error)
@@ -135,8 +141,7 @@ HeightFile read_height_file(const std::filesystem::path& path, const HeightFileO
   find_gaps(
       file.table.heights, file.table.columns, [](std::size_t row) { return fmt::format("row {}", row + 1); }, file);
   const double metres = options.unit ? size_of_unit(*options.unit, dimension::length, "length, such as \"um\"") : 1.0;
-  for (double& height : file.table.heights)
-    height *= metres;
+  scale(file.table.heights, metres);
   return file;
 }
 

@@ -22,51 +22,88 @@ namespace
 
 using Cells = std::vector<std::string_view>;
 
-/// Appends what is between the separators, without blanks around it; a gap is an empty cell.
-void split(std::string_view text, std::string_view separators, Cells& cells)
+/// One or two characters, each of which ends a cell.
+struct Separators
 {
-  for (bool is_quoted = false; const char c : text) // separators inside quotes do not separate
+  char one, other;
+  [[nodiscard]] bool contain(char c) const { return c == one || c == other; }
+  [[nodiscard]] bool are_in(std::string_view text) const
+  {
+    return text.find(one) != text.npos || text.find(other) != text.npos;
+  }
+};
+
+constexpr Separators commas_and_semicolons{',', ';'}, semicolons{';', ';'}, tabs{'\t', '\t'};
+
+std::string_view without_blanks(std::string_view text)
+{
+  const bool has_none = text.empty() || (text.front() > ' ' && text.back() > ' ');
+  return has_none ? text : trimmed(text, white_space);
+}
+
+bool has_quoted(std::string_view text, Separators separators)
+{
+  if (text.find('"') == text.npos)
+    return false;
+  for (bool is_quoted = false; const char c : text)
     if (c == '"')
       is_quoted = !is_quoted;
-    else if (is_quoted && separators.find(c) != separators.npos)
-      return cells.push_back(text);
-  while (true)
-  {
-    const auto end = std::min(text.find_first_of(separators), text.size());
-    cells.push_back(trimmed(text.substr(0, end), white_space));
-    if (end == text.size())
-      return;
-    text.remove_prefix(end + 1);
-  }
+    else if (is_quoted && separators.contain(c))
+      return true;
+  return false;
+}
+
+/// Appends what is between the separators, without blanks around it; a gap is an empty cell. Separators inside quotes do not
+/// separate: then the text is one cell, which is no number.
+void split(std::string_view text, Separators separators, Cells& cells)
+{
+  if (has_quoted(text, separators))
+    return cells.push_back(text);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (separators.contain(text[i]))
+    {
+      cells.push_back(without_blanks(text.substr(begin, i - begin)));
+      begin = i + 1;
+    }
+  cells.push_back(without_blanks(text.substr(begin)));
 }
 
 void split_at_blanks(std::string_view text, Cells& cells)
 {
-  while (!(text = trimmed(text, white_space)).empty())
+  const auto is_blank = [](char c) { return c == ' ' || white_space.find(c) != white_space.npos; };
+  for (std::size_t i = 0; i < text.size();)
   {
-    const auto end = std::min(text.find_first_of(white_space), text.size());
-    cells.push_back(text.substr(0, end));
-    text.remove_prefix(end);
+    const std::size_t begin = i;
+    while (i < text.size() && !is_blank(text[i]))
+      ++i;
+    if (i > begin)
+      cells.push_back(text.substr(begin, i - begin));
+    while (i < text.size() && is_blank(text[i]))
+      ++i;
   }
 }
 
-/// The cells of a line. Each comma, semicolon or tab ends a cell, so that an empty one is a gap; white_space, also several, end one if
+/// The cells of a line. Each comma, semicolon or tab ends a cell, so that an empty one is a gap; blanks, also several, end one if
 /// nothing else does. Tabs beside a comma or semicolon only align.
-/// @param separators  ",;", or ";" if commas are decimal commas
-void split_line(std::string_view line, std::string_view separators, Cells& cells)
+/// @param separators  commas and semicolons, or semicolons if commas are decimal commas
+void split_line(std::string_view line, Separators separators, Cells& cells)
 {
   cells.clear();
-  if (line.find_first_of(separators) != line.npos)
+  const bool has_tab = line.find('\t') != line.npos;
+  if (separators.are_in(line) && !has_tab)
+    return split(line, separators, cells);
+  if (separators.are_in(line))
   {
     Cells outer;
     split(line, separators, outer);
     for (const std::string_view cell : outer)
-      split(cell, "\t", cells);
+      split(cell, tabs, cells);
     return;
   }
-  if (line.find('\t') != line.npos)
+  if (has_tab)
   {
-    split(line, "\t", cells);
+    split(line, tabs, cells);
     if (std::any_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); }))
       return;
     cells.clear();
@@ -148,7 +185,7 @@ bool has_decimal_commas(const InputLines& text, std::size_t first)
   {
     if (line.is_comment)
       return true;
-    split_line(line.text, ";", cells);
+    split_line(line.text, semicolons, cells);
     return (cells.size() > 1 || line.text.find('"') != line.text.npos) &&
            std::all_of(cells.begin(), cells.end(), may_have_decimal_comma);
   };
@@ -176,11 +213,11 @@ void remove_column(NumberRows& table, std::size_t column)
 
 } // namespace
 
-bool begins_as_row(const std::string& line)
+bool begins_as_row(std::string_view line)
 {
   Cells cells;
-  const std::string plain = with_one_word(line);
-  split_line(plain, ",;", cells);
+  const std::string plain = with_one_word(std::string(line));
+  split_line(plain, commas_and_semicolons, cells);
   const auto is_number = [](std::string_view cell) { return plain_number(cell).has_value(); };
   const auto first = std::find_if(cells.begin(), cells.end(), [](std::string_view cell) { return !cell.empty(); });
   return first == cells.end() || is_number(*first);
@@ -191,14 +228,17 @@ NumberRows number_rows(const InputLines& text, std::size_t first)
   const bool decimal = has_decimal_commas(text, first);
   NumberRows table;
   Cells cells;
+  std::string plain;                           // a line that is changed
   bool begins_empty = true, ends_empty = true; // all rows
   for (std::size_t i = first; i < text.lines.size(); ++i)
   {
     const InputLine& line = text.lines[i];
     if (line.is_comment)
       continue;
-    std::string plain = line.text.find_first_of("dD") == line.text.npos ? line.text : with_one_word(line.text);
-    split_line(plain, decimal ? ";" : ",;", cells);
+    std::string_view words = line.text;
+    if (decimal || words.find('d') != words.npos || words.find('D') != words.npos)
+      words = plain = with_one_word(std::string(words));
+    split_line(words, decimal ? semicolons : commas_and_semicolons, cells);
     if (decimal)
       std::replace(plain.begin(), plain.end(), ',', '.');
     if (table.rows() == 0)

@@ -4,7 +4,7 @@
 #include "io/input_lines.hpp"
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 #include <vector>
 
 /// Rows of numbers with gaps.
@@ -23,7 +23,7 @@ struct NumberRows
 };
 
 /// Whether a line begins with a number or a gap, as rows of heights do.
-[[nodiscard]] bool begins_as_row(const std::string& line);
+[[nodiscard]] bool begins_as_row(std::string_view line);
 
 /// Reads the lines from `first` on that are no comments.
 /// @throws InputError, which continues a sentence that begins with the file's name, if rows have different lengths or a cell

@@ -55,7 +55,7 @@ bool has_comma_at_end(const std::string& field)
 }
 
 /// The columns of a line of a curve, with decimal commas replaced by points.
-std::vector<std::string> columns_of(const std::string& line)
+std::vector<std::string> columns_of(std::string_view line)
 {
   const std::string inside(trimmed(line, blanks_and_quotes));
   if (inside.find(';') != inside.npos)
@@ -82,7 +82,7 @@ catch (const InputError&)
   return std::nullopt;
 }
 
-bool begins_like_a_number(const std::string& line)
+bool begins_like_a_number(std::string_view line)
 {
   const std::string_view text = trimmed(line, blanks_and_quotes);
   const auto first = text.find_first_not_of("+-.,");

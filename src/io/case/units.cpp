@@ -257,12 +257,24 @@ std::string_view example_quantity(Dimension dimension)
 
 std::string with_plain_signs(std::string_view text)
 {
-  std::string plain(text);
-  if (std::none_of(plain.begin(), plain.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
-    return plain;
-  for (const std::string_view blank : {"\u00a0", "\u2007", "\u2009", "\u202f"})
-    plain = replaced(std::move(plain), blank, " ");
-  return replaced(std::move(plain), "\u2212", "-");
+  struct Sign
+  {
+    std::string_view bytes;
+    char plain;
+  };
+  constexpr std::array<Sign, 5> signs{
+      {{"\u00a0", ' '}, {"\u2007", ' '}, {"\u2009", ' '}, {"\u202f", ' '}, {"\u2212", '-'}}};
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto begins = [&](const Sign& sign) { return text.substr(i).starts_with(sign.bytes); };
+    const auto found = byte == 0xc2 || byte == 0xe2 ? std::find_if(signs.begin(), signs.end(), begins) : signs.end();
+    plain += found == signs.end() ? text[i] : found->plain;
+    i += found == signs.end() ? 1 : found->bytes.size();
+  }
+  return plain;
 }
 
 Quantity quantity(std::string_view given)
