@@ -3,6 +3,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/processor.hpp"
 #include "brinell/io/case_template.hpp"
+#include "brinell/io/printable.hpp"
 #include "brinell/io/versions.hpp"
 #include "commands.hpp"
 #include "options.hpp"
@@ -51,12 +52,13 @@ brinell --help lists all commands, brinell COMMAND --help the options of one.
 )";
 
 /// Prints the lines of an error on stderr, each with the name of the program.
-int report(std::string_view text, int exit_code)
+int report(std::string_view message, int exit_code)
 {
+  const std::string text = io::printable(message);
   for (std::size_t begin = 0; begin <= text.size();)
   {
     const auto end = std::min(text.find('\n', begin), text.size());
-    fmt::print(stderr, "brinell: error: {}\n", text.substr(begin, end - begin));
+    fmt::print(stderr, "brinell: error: {}\n", std::string_view(text).substr(begin, end - begin));
     begin = end + 1;
   }
   return exit_code;

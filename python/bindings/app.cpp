@@ -9,6 +9,7 @@
 #include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/history_csv.hpp"
+#include "brinell/io/printable.hpp"
 #include "brinell/io/schema.hpp"
 #include "brinell/io/versions.hpp"
 #include "brinell/options.hpp"
@@ -145,7 +146,7 @@ std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::War
 {
   std::vector<std::pair<std::string, std::string>> result;
   for (const io::Warning& warning : warnings)
-    result.emplace_back(warning.key, warning.text);
+    result.emplace_back(warning.key, io::printable(warning.text));
   return result;
 }
 
@@ -160,7 +161,7 @@ void bind_app(nb::module_& m)
       .value("keep", io::ResultDirectory::Mode::keep)
       .value("resume", io::ResultDirectory::Mode::resume);
   nb::class_<io::Case>(m, "Case")
-      .def_ro("name", &io::Case::name)
+      .def_prop_ro("name", [](const io::Case& c) { return io::printable(c.name); })
       .def_ro("title", &io::Case::title)
       .def_prop_ro("warnings", [](const io::Case& c) { return pairs(c.warnings); })
       .def_prop_ro("expected_warnings",
@@ -174,7 +175,7 @@ void bind_app(nb::module_& m)
       .def_prop_ro("result_bytes", [](const io::Case& c) { return io::result_bytes(c, io::plan_case(c)); })
       .def_prop_ro("result_warnings", [](const io::Case& c) { return pairs(io::result_warnings(c, io::plan_case(c))); })
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
-      .def("check_report", [](const io::Case& c) { return io::check_report(c, io::plan_case(c)); })
+      .def("check_report", [](const io::Case& c) { return io::printable(io::check_report(c, io::plan_case(c))); })
       .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none())
       .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(

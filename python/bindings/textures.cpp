@@ -2,15 +2,24 @@
 #include "arrays.hpp"
 #include "module.hpp"
 
+#include "brinell/io/height_file.hpp"
+#include "brinell/io/printable.hpp"
 #include "brinell/io/units.hpp"
 #include "brinell/simulation/bearing.hpp"
+#include "brinell/simulation/filling.hpp"
 #include "brinell/simulation/texture.hpp"
 
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -82,6 +91,32 @@ double length(const std::string& text)
   return quantity.value;
 }
 
+/// What a text file of heights says, or why it is none.
+struct HeightText
+{
+  io::HeightFile file;
+  std::optional<std::string> refusal;
+};
+
+HeightText height_text(const std::filesystem::path& path, const std::optional<std::string>& unit,
+                       const std::optional<std::string>& layout)
+try
+{
+  const auto kind = layout ? io::height_layout(*layout) : io::HeightLayout::automatic;
+  return {without_lock([&] { return io::read_height_text(path, {.unit = unit, .layout = kind}); }), std::nullopt};
+}
+catch (const io::NoHeightText& error)
+{
+  return {{}, io::printable(error.what())};
+}
+
+Output filled(const Input& heights)
+{
+  std::vector<double> values(heights.data(), heights.data() + heights.size());
+  const std::size_t ny = heights.shape(0), nx = heights.shape(1);
+  return array(without_lock([&] { return simulation::filled(std::move(values), nx); }), {ny, nx});
+}
+
 } // namespace
 
 void bind_textures(nb::module_& m)
@@ -90,6 +125,26 @@ void bind_textures(nb::module_& m)
         "rms_slope"_a.none(), "hurst"_a, "rolloff"_a.none(), "seed"_a);
   m.def("bearing", &bearing, "heights"_a);
   m.def("length", &length, "text"_a);
+  m.def("with_plain_signs", &io::with_plain_signs, "text"_a);
+  nb::class_<HeightText>(m, "HeightText")
+      .def_ro("refusal", &HeightText::refusal)
+      .def_prop_ro(
+          "heights",
+          [](const HeightText& text)
+          {
+            const io::HeightTable& table = text.file.table;
+            return array(std::vector<double>(table.heights),
+                         {table.heights.size() / std::max<std::size_t>(table.columns, 1), table.columns});
+          },
+          nb::rv_policy::automatic)
+      .def_prop_ro("spacing", [](const HeightText& text) { return text.file.spacing; })
+      .def_prop_ro("x", [](const HeightText& text) { return text.file.x; })
+      .def_prop_ro("y", [](const HeightText& text) { return text.file.y; })
+      .def_prop_ro("periodic", [](const HeightText& text) { return text.file.periodic; })
+      .def_prop_ro("gaps", [](const HeightText& text) { return text.file.gaps; })
+      .def_prop_ro("first_gap", [](const HeightText& text) { return text.file.first_gap; });
+  m.def("height_text", &height_text, "file"_a, "unit"_a.none(), "layout"_a.none());
+  m.def("filled", &filled, "heights"_a);
 }
 
 } // namespace brinell::python

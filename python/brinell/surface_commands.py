@@ -62,7 +62,11 @@ class _Pair(_Type):
 _IN_OPTIONS = (
     ("give spacing=(dx, dy) in m, or as '1 um'", "give --spacing, as 1um or 1um,2um"),
     ("give the argument unit, as unit='um'", "give --unit, as um"),
-    (r"give unit='(\w+)'", r"give --unit \1"),
+    (r"(?:give|as) unit ?= ?'(\w+)'", r"give --unit \1"),
+    (r"layout = '(\w+)'", r"--layout \1"),
+    (r"channel ?= ?('[^']*'|\d+)", r"--channel \1"),
+    (r"spacing='([^']*)'", r"--spacing '\1'"),
+    (r"spacing = \(([-+.e\d]+), ([-+.e\d]+)\) m is used", r"--spacing \1m,\2m is used"),
     (r"leave out unit = '(\w+)'", r"leave out --unit \1"),
     (r"unit = '(\w+)' is no unit", r"--unit \1 is no unit"),
     (r"surfaces\.read\(file, unit='(\w+)'\) takes", r"--unit \1 takes"),
@@ -77,7 +81,7 @@ _IN_OPTIONS = (
 def _in_options(text: str) -> str:
     """A message of `brinell.surfaces` with the names of options in place of those of arguments."""
     for arguments, options in _IN_OPTIONS:
-        text = re.sub(arguments if "\\" in arguments else re.escape(arguments), options, text)
+        text = re.sub(arguments if "\\" in arguments + options else re.escape(arguments), options, text)
     return text
 
 
@@ -92,7 +96,19 @@ def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--fill", is_flag=True, help="Fill gaps in the measurement (NaN in the file) with a smooth surface."
         ),
-        click.option("--unit", metavar="UNIT", help="Unit of the heights if the file does not name one, such as um."),
+        click.option(
+            "--channel", metavar="NAME", help="Name or number, counted from 0, of the map if the file contains several."
+        ),
+        click.option(
+            "--layout",
+            type=click.Choice(["rows", "points"]),
+            help="Whether the lines of a text are rows of heights or points x, y, z; found out by default.",
+        ),
+        click.option(
+            "--unit",
+            metavar="UNIT",
+            help="Unit of the heights, and of coordinates, if the file does not name one, such as um.",
+        ),
         click.option(
             "--spacing",
             type=_Pair(_LENGTH),
@@ -104,12 +120,13 @@ def _reading(command: Callable[..., Any]) -> Callable[..., Any]:
     return command
 
 
-def _read(file: Path, spacing: tuple[float, float] | None, unit: str | None, fill: bool, level: bool) -> HeightMap:
+def _read(file: Path, *, level: bool, **options: Any) -> HeightMap:
+    """Reads a surface with the options of `surfaces.read`."""
     if not file.is_file():
         raise InputError(f"{file}: no such file")
     try:
         with reports_warnings(file, _in_options):
-            heightmap = surfaces.read(file, spacing=spacing, unit=unit, fill=fill)
+            heightmap = surfaces.read(file, **options)
             return heightmap.levelled() if level else heightmap
     except ImportError as error:  # which tells what to install
         raise InputError(str(error)) from error
@@ -122,7 +139,8 @@ def surface() -> None:
     """Make, read, inspect and write surfaces.
 
     Files of the types .npz, .csv, .txt and .dat contain a surface with the distances of its points; .npy contains its
-    heights alone. Other types of files are read by SurfaceTopography.
+    heights alone. Text of rows of heights or of points x, y, z is read whatever its ending; everything else is read by
+    SurfaceTopography.
     """
 
 
@@ -200,14 +218,7 @@ def _make(
     help="Draw the surface to a file of type .png, .pdf or .svg.",
 )
 @reports_errors
-def _show(
-    file: Path,
-    spacing: tuple[float, float] | None,
-    unit: str | None,
-    fill: bool,
-    level: bool,
-    figure: Path | None,
-) -> None:
+def _show(file: Path, figure: Path | None, **options: Any) -> None:
     """Print the roughness of the surface in FILE.
 
     The figure of --figure shows the map, the power spectral density, the distribution of the heights and the
@@ -216,7 +227,7 @@ def _show(
     ending = figure.suffix.lstrip(".").lower() if figure else None
     if figure and ending not in ("png", "pdf", "svg"):
         raise InputError(f"{figure}: cannot draw {figure.suffix!r}; allowed: .png, .pdf, .svg")
-    heightmap = _read(file, spacing, unit, fill, level)
+    heightmap = _read(file, **options)
     click.echo(_table(heightmap))
     if figure and ending:
         from brinell.plot import style
@@ -231,21 +242,14 @@ def _show(
 @click.argument("out", type=click.Path(path_type=Path), metavar="OUT")
 @_reading
 @reports_errors
-def _convert(
-    file: Path,
-    out: Path,
-    spacing: tuple[float, float] | None,
-    unit: str | None,
-    fill: bool,
-    level: bool,
-) -> None:
+def _convert(file: Path, out: Path, spacing: tuple[float, float] | None, **options: Any) -> None:
     """Read the surface in IN and write it to OUT, a file of type .npz, .csv, .txt, .dat or .npy.
 
     A .npy file contains the heights alone; for it the distances of the points need not be known.
     """
     if spacing is None and out.suffix == ".npy" and file.suffix in (".npy", *TEXT):
         spacing = (1.0, 1.0)
-    surfaces.write(out, _read(file, spacing, unit, fill, level))
+    surfaces.write(out, _read(file, spacing=spacing, **options))
     click.echo(out)
 
 

@@ -241,7 +241,7 @@ def test_shapes_and_textures_have_all_keys_of_their_tables() -> None:
     shapes = [getattr(bodies, s.__name__) for s in bodies.Shape.__subclasses__()]
     assert keys(*shapes) == of_page("shape.")
     assert {s.type for s in shapes} == set(re.findall(r'"(\w+)"', PAGE.split("`shape.type` |")[1].split("|")[0]))
-    of_a_map = {"file", "unit", "spacing", "heights", "columns", "periodic"}
+    of_a_map = {"file", "unit", "layout", "fill", "spacing", "heights", "columns", "periodic"}
     textures = (bodies.Dent, bodies.Bump, bodies.Sinusoid, bodies.RandomSurface)
     assert keys(*textures) == of_page("texture.") - of_a_map
 

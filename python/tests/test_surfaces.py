@@ -73,8 +73,8 @@ def test_text_as_the_case_reads_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        ("1 2\n3\n", "line 2 has 1 heights; the first row has 2"),
-        ("1 2\n3 x\n", "line 2 is '3 x'"),
+        ("1 2\n3\n", 'line 2 "3"; allowed: 2 heights in m or the given unit, as in line 1, not 1'),
+        ("1 2\n3 x\n", 'line 2 "3 x"; allowed: 2 heights .*; "x" is no number'),
         ("# none\n", "no heights"),
         (
             "1 nan\n",
@@ -290,9 +290,11 @@ def test_no_map_at_all(tmp_path: Path) -> None:
 
 def test_without_the_extra_the_error_tells_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "SurfaceTopography", None)
-    (tmp_path / "map.xyz").write_text("0 0 0\n")
+    (tmp_path / "map.asc").write_text("Wyko ASCII Data File Format\t0\t1\n")
     with pytest.raises(ImportError, match=r'pip install "brinell\[surfaces\]"'):
-        surfaces.read(tmp_path / "map.xyz", unit="um")
+        surfaces.read(tmp_path / "map.asc", unit="um")
+    (tmp_path / "map.xyz").write_text("0 0 1\n0 1 2\n1 0 3\n1 1 4\n")  # points need no other package
+    assert surfaces.read(tmp_path / "map.xyz", unit="um").heights.shape == (2, 2)
 
 
 def test_sampled_function() -> None:

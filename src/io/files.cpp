@@ -80,6 +80,8 @@ std::string input_text(const fs::path& file, std::size_t largest)
   constexpr std::string_view mark = "\xef\xbb\xbf";
   if (text.starts_with(mark))
     text.erase(0, mark.size());
+  if (const bool is_big_endian = text.starts_with("\xfe\xff"); is_big_endian || text.starts_with("\xff\xfe"))
+    return from_utf16(std::string_view(text).substr(2), is_big_endian);
   return text;
 }
 
@@ -216,6 +218,31 @@ std::size_t valid_utf8(std::string_view text)
     i += form->length;
   }
   return i;
+}
+
+std::string from_utf16(std::string_view bytes, bool is_big_endian)
+{
+  const auto unit = [&](std::size_t i)
+  {
+    const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
+    return static_cast<char32_t>(is_big_endian ? first << 8 | second : second << 8 | first);
+  };
+  const auto is_between = [](char32_t c, char32_t low, char32_t high) { return c >= low && c <= high; };
+  std::string text;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
+  {
+    char32_t c = unit(i);
+    if (is_between(c, 0xd800, 0xdbff) && i + 3 < bytes.size() && is_between(unit(i + 2), 0xdc00, 0xdfff))
+      c = 0x10000 + ((c - 0xd800) << 10) + (unit(i += 2) - 0xdc00);
+    if (is_between(c, 0xd800, 0xdfff))
+      c = 0xfffd;
+    const int following = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+    constexpr unsigned char lead[] = {0x00, 0xc0, 0xe0, 0xf0};
+    text += static_cast<char>(lead[following] | (c >> (6 * following)));
+    for (int k = following - 1; k >= 0; --k)
+      text += static_cast<char>(0x80 | (c >> (6 * k) & 0x3f));
+  }
+  return text;
 }
 
 } // namespace brinell::io

@@ -26,7 +26,7 @@ inline constexpr std::size_t largest_input = 100'000'000; // bytes
 void read_blocks(const std::filesystem::path& file, std::size_t largest,
                  const std::function<void(std::string_view)>& consume);
 
-/// The content, without a byte order mark of UTF-8 (BOM).
+/// The content, without a byte order mark of UTF-8 (BOM). A file that begins with the mark of UTF-16 is converted to UTF-8.
 /// @throws as read_blocks
 [[nodiscard]] std::string input_text(const std::filesystem::path& file, std::size_t largest = largest_input);
 
@@ -77,5 +77,8 @@ void require_seal(const std::filesystem::path& path, std::string_view mark);
 
 /// Position of the first byte that is not valid UTF-8; the size of the text if there is none.
 [[nodiscard]] std::size_t valid_utf8(std::string_view text);
+
+/// UTF-8 of a text in UTF-16. A half of a pair of surrogates becomes U+FFFD.
+[[nodiscard]] std::string from_utf16(std::string_view bytes, bool is_big_endian);
 
 } // namespace brinell::io

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
+#include <fstream>
 #include <optional>
 
 namespace brinell::io
@@ -101,21 +102,14 @@ HeightTable read_npy(const std::filesystem::path& file)
   std::vector<double> values = is_double ? values_of<double>(bytes, count) : values_of<float>(bytes, count);
   if (head->is_by_columns)
     values = by_rows(values, head->rows, head->columns);
-  const auto is_missing = [](double x) { return !std::isfinite(x); };
-  if (const auto first = std::find_if(values.begin(), values.end(), is_missing); first != values.end())
-  {
-    const auto at = static_cast<std::size_t>(first - values.begin());
-    throw InputError(not_measured(fmt::format("row {}, column {}", at / head->columns + 1, at % head->columns + 1),
-                                  static_cast<std::size_t>(std::count_if(first, values.end(), is_missing))));
-  }
   return {std::move(values), head->columns};
 }
 
-std::string not_measured(const std::string& first, std::size_t count)
+bool is_npy(const std::filesystem::path& file)
 {
-  return fmt::format("has in {} a height that is not finite{}; fill what was not measured, as \"brinell surface "
-                     "convert FILE OUT.npy --fill\" does by a smooth surface",
-                     first, count > 1 ? fmt::format(", the first of {}", count) : "");
+  std::ifstream stream(file, std::ios::binary);
+  std::string begin(magic.size(), ' ');
+  return std::filesystem::is_regular_file(file) && stream.read(begin.data(), std::ssize(begin)) && begin == magic;
 }
 
 std::string npy_content(std::span<const double> values, std::size_t columns)

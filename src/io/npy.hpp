@@ -12,12 +12,11 @@
 namespace brinell::io
 {
 
-/// @throws InputError (without the file's name) if it is not such a file, is not a table of real numbers, or has numbers that are
-/// not finite; IoError
+/// @throws InputError (without the file's name) if it is not such a file, or is not a table of real numbers; IoError
 [[nodiscard]] HeightTable read_npy(const std::filesystem::path& file);
 
-/// Error text for heights that are not finite. @param first  place of the first of them @param count  number of them
-[[nodiscard]] std::string not_measured(const std::string& first, std::size_t count);
+/// Whether a file is there and begins as a .npy file, whatever its ending.
+[[nodiscard]] bool is_npy(const std::filesystem::path& file);
 
 /// The content of a .npy file with these numbers, row by row.
 [[nodiscard]] std::string npy_content(std::span<const double> values, std::size_t columns);

@@ -53,6 +53,10 @@ struct Quantity
 /// @throws InputError; its text continues a sentence that begins with the value ("has the unknown unit ...").
 [[nodiscard]] Quantity quantity(std::string_view text);
 
+/// A text without the characters that look like a blank or a minus sign but are others: U+00A0, U+2007, U+2009, U+202F, U+2212.
+/// Texts and web pages set numbers with them; all functions of this header read them.
+[[nodiscard]] std::string with_plain_signs(std::string_view text);
+
 /// Reads "20 degC", "20 °C" or "293.15 K" in degrees Celsius: a temperature, not a difference of two.
 /// @throws InputError; its text continues a sentence that begins with the value.
 [[nodiscard]] double degrees_celsius(std::string_view text);

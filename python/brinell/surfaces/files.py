@@ -3,45 +3,60 @@
 
 from __future__ import annotations
 
-import re
+import contextlib
+import struct
+import warnings
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
-from brinell._toml import tomllib
-from brinell.errors import InputError, IoError, MissingExtraError
-from brinell.surfaces.filling import filled
-from brinell.surfaces.heightmap import FloatArray, HeightMap
-from brinell.surfaces.units import metres, one_unit, pair
+from brinell import _core
+from brinell._names import level_of_caller
+from brinell.errors import InputError, IoError
+from brinell.surfaces.filling import filled, gap_message
+from brinell.surfaces.heightmap import REMEDY, HeightMap
+from brinell.surfaces.instruments import Channel, read_instrument
+from brinell.surfaces.units import metres, pair
 
 Spacing: TypeAlias = float | str | Sequence[float | str]
 """Point distances along x and y, in m or as text with a unit; one value stands for both."""
+Layout: TypeAlias = Literal["rows", "points"]
 TEXT = (".csv", ".txt", ".dat")
-"""Endings of text files of heights that texture.file of a case also accepts."""
-_LARGEST_TEXT = 100_000_000
-"""Largest size of a text file [B], the same as for all text files that a case refers to."""
+"""Endings of the text files that `write` makes."""
 
 
-def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None = None, fill: bool = False) -> HeightMap:
+def read(
+    path: str | Path,
+    *,
+    spacing: Spacing | None = None,
+    unit: str | None = None,
+    fill: bool = False,
+    layout: Layout | None = None,
+    channel: Channel | None = None,
+) -> HeightMap:
     """Reads a height map.
 
     Args:
-        path: path of the file. The ending decides the format: .npz as written by `write`; .npy with heights [ny, nx];
-            .csv, .txt or .dat with one line per row of heights, as for texture.file of a case; any other ending is read
-            by SurfaceTopography.
+        path: path of the file. Its content decides the format, whatever the ending: .npz as written by `write`; .npy
+            with heights [ny, nx]; text with one line per row of heights or with x, y and height of one point per line,
+            read as texture.file of a case is; anything else is read by SurfaceTopography.
         spacing: distances (dx, dy) of the points [m], as numbers or text such as "1 um", or one value for both. It is
-            required for formats that do not store it: .npy, and text that was not written by `write` and has no
-            Gwyddion header (English or German).
-        unit: unit of the heights, such as "um", if the file does not state it; for instrument files it also applies to
-            the coordinates. Text and .npy files are in m by default.
-        fill: replace points that were not measured (NaN in the file) by a smooth, harmonic surface through their
-            neighbours, as `filled` does.
+            required for files that do not store it, such as .npy and rows of heights without a header. Where a file
+            stores other distances, these are used and a warning is given.
+        unit: unit of the heights, such as "um", if the file does not state it; for points and for instrument files it
+            also applies to the coordinates. Rows of text and .npy files are in m by default.
+        fill: replace points that were not measured (NaN, an empty cell, or a point that a list leaves out) by a smooth,
+            harmonic surface through their neighbours, as `filled` does.
+        layout: whether the lines of a text are "rows" of heights or "points" x, y, z; None: points if the first two of
+            three columns are the coordinates of a grid.
+        channel: name or number, counted from 0, of the map, if the file holds several; of a .npz file the name of the
+            array.
 
     Returns:
-        The height map in m. The first row of an instrument's map is at the smallest y.
+        The height map in m. The first row of a map of an instrument or of points is at the smallest y.
 
     Raises:
         InputError: spacing or unit is missing, or the content is not a height map.
@@ -51,22 +66,34 @@ def read(path: str | Path, *, spacing: Spacing | None = None, unit: str | None =
     path = Path(path)
     if not path.is_file():
         raise IoError(f"{path}: no such file")
-    ending = path.suffix.lower()
     try:
-        if ending == ".npz" and unit is not None:
-            raise InputError(f"holds heights in m; leave out unit = {unit!r}")
-        if ending == ".npz":
-            return _from_npz(path, fill)
-        if ending == ".npy":
-            heights = _whole(_loaded(path), fill)
+        start, ending = _start(path), path.suffix.lower()
+        if start.startswith(b"PK") and (ending == ".npz" or _is_npz(path)):
+            return _from_npz(path, spacing, unit, fill, channel)
+        if start.startswith(b"\x93NUMPY") or ending == ".npy":
+            _refuse("channel", channel)
+            heights = _whole(_from_npy(path), fill)
             return HeightMap(heights if unit is None else heights * metres(unit), _needed(spacing, path))
-        if ending in TEXT:
-            return _from_text(path, spacing, unit, fill)
-        return _from_instrument(path, spacing, unit, fill)
+        refusal = "is no text of heights"
+        if not _is_binary(start):
+            text = _core.height_text(path, unit, layout)
+            if text.refusal is None:
+                _refuse("channel", channel)
+                return _from_text(path, text, spacing, fill)
+            refusal = text.refusal
+        if ending == ".npz":
+            _loaded(path)  # which says what is wrong
+        _refuse("layout", layout, refusal)
+        heights, distances, periodic = read_instrument(path, spacing, unit, channel, refusal)
+        return HeightMap(_whole(heights, fill), distances, periodic=periodic)
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
     except OSError as error:
         raise IoError(f"{path}: cannot be read: {error.strerror or error}") from error
+    except MemoryError as error:
+        raise InputError(
+            f"{path}: needs more memory than there is; a damaged file may announce too large a map"
+        ) from error
 
 
 def write(path: str | Path, heightmap: HeightMap) -> None:
@@ -119,141 +146,106 @@ def _needed(spacing: Spacing | None, path: Path) -> tuple[float, float]:
     return pair(spacing)
 
 
+def _refuse(name: str, value: object, why: str = "has one map") -> None:
+    """Refuses an argument that does not belong to the kind of file."""
+    if value is not None:
+        raise InputError(f"{why}; leave out {name} = {value!r}")
+
+
+def _start(path: Path) -> bytes:
+    with path.open("rb") as file:
+        return file.read(4096)
+
+
+def _is_binary(start: bytes) -> bool:
+    """Whether the first bytes contain what text does not; text in UTF-16 begins with its mark."""
+    controls = set(range(32)) - set(b"\t\n\v\f\r\x1a")
+    return not start.startswith((b"\xff\xfe", b"\xfe\xff")) and not controls.isdisjoint(start)
+
+
+def _is_npz(path: Path) -> bool:
+    with contextlib.suppress(zipfile.BadZipFile, ValueError, NotImplementedError), zipfile.ZipFile(path) as archive:
+        return "heights.npy" in archive.namelist()
+    return False
+
+
 def _loaded(path: Path) -> Any:
     try:
         return np.load(path)
-    except (EOFError, OSError, ValueError, zipfile.BadZipFile) as error:
+    except Exception as error:  # NumPy raises what its parsers raise on a damaged header
         if isinstance(error, OSError) and error.errno is not None:
             raise  # the operating system could not read the file
-        raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({error})") from error
+        raise InputError(f"is no file of NumPy arrays of numbers, or damaged ({_first_line(error)})") from error
+
+
+def _from_npy(path: Path) -> Any:
+    """The array of a .npy file, which must fill it: a damaged header could announce a smaller one."""
+    heights = _numbers(_loaded(path), "the array")
+    with path.open("rb") as file:
+        version = np.lib.format.read_magic(file)
+        length = struct.unpack("<H", file.read(2))[0] if version == (1, 0) else struct.unpack("<L", file.read(4))[0]
+        announced = file.tell() + length + heights.nbytes
+    if announced != path.stat().st_size:
+        raise InputError(f"is damaged: it has {path.stat().st_size} bytes and announces {announced}")
+    return heights
+
+
+def _first_line(error: Exception) -> str:
+    return (str(error).splitlines() or [type(error).__name__])[0]
+
+
+def _numbers(values: Any, what: str) -> Any:
+    """An array of real numbers: others would lose a part or be no heights."""
+    if getattr(values, "dtype", np.dtype(object)).kind not in "fiu":
+        raise InputError(
+            f"has in {what} values of the type {getattr(values, 'dtype', 'of many arrays')}; allowed: numbers"
+        )
+    return values
 
 
 def _whole(heights: Any, fill: bool) -> Any:
     return filled(heights) if fill else heights
 
 
-def _from_npz(path: Path, fill: bool) -> HeightMap:
+def _from_npz(path: Path, spacing: Spacing | None, unit: str | None, fill: bool, channel: Channel | None) -> HeightMap:
     with _loaded(path) as file:
-        missing = [name for name in ("heights", "spacing") if name not in file]
+        name = "heights" if channel is None else str(channel)
+        missing = [
+            one for one in (name, "spacing") if one not in file and not (one == "spacing" and spacing is not None)
+        ]
         if missing:
-            raise InputError(f"holds no {' and no '.join(missing)}, only {', '.join(file) or 'nothing'}")
-        x, y = pair(file["centre"]) if "centre" in file else (0.0, 0.0)
-        periodic = bool(file["periodic"]) if "periodic" in file else False
-        return HeightMap(_whole(file["heights"], fill), pair(file["spacing"]), x, y, periodic)
-
-
-def _from_text(path: Path, spacing: Spacing | None, unit: str | None, fill: bool) -> HeightMap:
-    """Reads heights in m or in `unit`, and the optional comment lines of `write` or header of Gwyddion before them."""
-    if path.stat().st_size > _LARGEST_TEXT:
-        raise InputError(f"is too large; allowed: up to {_LARGEST_TEXT / 1e6:.0f} MB of text, or a .npy file")
-    text = path.read_text(encoding="utf-8-sig", errors="replace")
-    header = _header_of_gwyddion(text)
-    heights = _whole(_numbers(text), fill) * metres(_unit_of_header(header, unit))
-    if spacing is None and {"Width", "Height"} <= header.keys():
-        width, height = (_size_of_header(header[name]) for name in ("Width", "Height"))
-        return HeightMap(heights, (width / heights.shape[1], height / heights.shape[0]))
-    header_values = _values_in_comments(text)
-    x, y = (
-        float(header_values[name]) if isinstance(header_values.get(name), int | float) else 0.0 for name in ("x", "y")
-    )
-    given = spacing if spacing is not None else header_values.get("spacing")
-    return HeightMap(heights, _needed(given, path), x, y, header_values.get("periodic") is True)
-
-
-def _values_in_comments(text: str) -> dict[str, Any]:
-    """Values in the comment lines that `write` puts before the heights; arguments of the caller override them."""
-    head = re.findall(r"^#\s*((?:spacing|x|y|periodic)\s*=.*)$", text[:1000], flags=re.MULTILINE)
-    try:
-        return tomllib.loads("\n".join(head))
-    except tomllib.TOMLDecodeError:  # a comment of the user that only looks similar
-        return {}
-
-
-_WORDS = {
-    "Width": "Width",
-    "Breite": "Width",
-    "Height": "Height",
-    "Höhe": "Height",
-    "Value units": "Value units",
-    "Werteinheiten": "Value units",
-    "Werteinheit": "Value units",
-}
-"""Keywords of Gwyddion's header, in English and in German, with the English keyword of each."""
-_GWYDDION = re.compile(rf"^#\s*({'|'.join(_WORDS)}):\s*(.*?)\s*$", re.MULTILINE)
-"""Lines of Gwyddion's header: "# Width: 100 µm"."""
-
-
-def _header_of_gwyddion(text: str) -> dict[str, str]:
-    """Entries of Gwyddion's header by their English keywords."""
-    return {_WORDS[word]: value for word, value in _GWYDDION.findall(text)}
-
-
-def _unit_of_header(header: dict[str, str], unit: str | None) -> str:
-    """Unit of the heights; if a header gives only the size of the map, the user has to give the unit."""
-    if header and "Value units" not in header and unit is None:
-        raise InputError(
-            "has no line '# Value units: m' in the header of Gwyddion; give unit='m'. Lines that are looked for begin "
-            f"with {', '.join(f'# {word}:' for word in _WORDS)}"
-        )
-    return one_unit(header.get("Value units"), unit) if header or unit else "m"
-
-
-_DECIMAL_COMMA = re.compile(r"[-+]?(?:\d+(?:,\d+)?(?:e[-+]?\d+)?|nan|inf|infinity)", re.IGNORECASE)
-
-
-def _has_decimal_commas(lines: list[str]) -> bool:
-    """Whether commas are decimal commas: in every line something else separates the numbers.
-
-    The case reader uses the same rule for texture.file (src/io/case/measured_files.cpp).
-    """
-    words = [line.replace(";", " ").split() for line in lines]
-    return (
-        any("," in line for line in lines)
-        and all(len(row) > 1 or ";" in line for row, line in zip(words, lines, strict=True))
-        and all(_DECIMAL_COMMA.fullmatch(word) for row in words for word in row)
-    )
-
-
-def _size_of_header(text: str) -> float:
-    """Converts a length such as "100 µm" to m."""
-    number, _, unit = text.replace("\N{NO-BREAK SPACE}", " ").partition(" ")
-    try:
-        return float(number.replace(",", ".")) * metres(unit.strip())
-    except ValueError as error:
-        raise InputError(f"has the size {text!r} in its header; allowed: a length, as '100 um'") from error
-
-
-def _numbers(text: str) -> FloatArray:
-    """Parses heights as the case reader does: separated by commas, semicolons, tabs or blanks; # starts a comment line.
-
-    If something else than a comma separates the numbers, commas between digits are decimal commas.
-    """
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    text = text.translate(str.maketrans(",;\t", ".  " if _has_decimal_commas(lines) else "   "))
-    rows: list[list[float]] = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        if not line.strip() or line.lstrip().startswith("#"):
-            continue
+            raise InputError(
+                f"holds no {' and no '.join(missing)}, only {', '.join(file) or 'nothing'}; name the array and the "
+                "distances of its points, as channel='z', spacing='1 um'"
+            )
+        if unit is not None and "spacing" in file:
+            raise InputError(f"holds heights in m; leave out unit = {unit!r}")
         try:
-            rows.append([float(word) for word in line.split()])
-        except ValueError as error:
-            raise InputError(f"line {number} is {line[:40]!r}; allowed: heights") from error
-        if len(rows[-1]) != len(rows[0]):
-            raise InputError(f"line {number} has {len(rows[-1])} heights; the first row has {len(rows[0])}")
-    if not rows:
-        raise InputError("has no heights")
-    return np.array(rows)
+            heights = _numbers(file[name], f"the array {name!r}")
+            distances = pair(_numbers(file["spacing"], "the array 'spacing'") if spacing is None else spacing)
+            x, y = pair(_numbers(file["centre"], "the array 'centre'")) if "centre" in file else (0.0, 0.0)
+            periodic = bool(file["periodic"]) if "periodic" in file else False
+        except InputError:
+            raise
+        except Exception as error:  # as above
+            raise InputError(f"is damaged, or no file of brinell.surfaces.write ({_first_line(error)})") from error
+    whole = _whole(heights, fill) * (1.0 if unit is None else metres(unit))
+    return HeightMap(whole, distances, x, y, periodic)
 
 
-def _from_instrument(path: Path, spacing: Spacing | None, unit: str | None, fill: bool) -> HeightMap:
-    try:
-        from SurfaceTopography import read_topography
-        from SurfaceTopography.Exceptions import ReadFileError
-    except ModuleNotFoundError as error:
-        raise MissingExtraError(f"{path}: a map of this format", "SurfaceTopography", "surfaces") from error
-    try:
-        topography = read_topography(str(path))
-    except ReadFileError as error:
-        raise InputError("has no format that SurfaceTopography knows, or is damaged") from error
-    heightmap = HeightMap.from_topography(topography, unit=unit, fill=fill)
-    return heightmap if spacing is None else HeightMap(heightmap.heights, pair(spacing))
+def _from_text(path: Path, text: Any, spacing: Spacing | None, fill: bool) -> HeightMap:
+    """Makes the map of what the engine has read from a text."""
+    heights = text.heights
+    if text.gaps and not fill:
+        raise InputError(f"has {text.first_gap}: {gap_message(heights)}: {REMEDY}")
+    distances = _needed(spacing, path) if text.spacing is None or spacing is not None else text.spacing
+    if text.spacing is not None and not np.allclose(distances, text.spacing, rtol=1e-3, atol=0.0):
+        from brinell.case import CaseWarning
+
+        warnings.warn(
+            f"{path}: spacing = {distances} m is used, although the file has points every {text.spacing[0]:.6g} x "
+            f"{text.spacing[1]:.6g} m",
+            CaseWarning,
+            stacklevel=level_of_caller(),
+        )
+    return HeightMap(_whole(heights, fill), distances, text.x or 0.0, text.y or 0.0, text.periodic is True)

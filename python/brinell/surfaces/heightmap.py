@@ -20,6 +20,11 @@ from brinell.surfaces.units import metres, one_unit, pair
 
 FloatArray = NDArray[np.float64]
 
+REMEDY = (
+    "fill what was not measured, as surfaces.read(file, fill=True), brinell surface convert --fill or "
+    "surfaces.filled(heights) do by a smooth surface, or numpy.nan_to_num(heights, nan=0.0) by zero"
+)
+"""What to do about gaps; follows the message about them."""
 _SPACING = "allowed: (dx, dy), both > 0, in m or with a unit as '1 um'; or one length for both"
 _STEEPEST, _HIGHEST = 10.0, 1.0
 """Limits of the rms slope, and of the rms height relative to the map's size, that no measured surface exceeds."""
@@ -73,10 +78,7 @@ class HeightMap:
         if heights.ndim != 2 or heights.size == 0:
             raise InputError(f"heights have the shape {heights.shape}; allowed: [ny, nx] with one point or more")
         if (gaps := gap_message(heights)) is not None:
-            raise InputError(
-                f"{gaps}: fill what was not measured, as surfaces.read(file, fill=True), brinell surface convert --fill"
-                " or surfaces.filled(heights) do by a smooth surface, or numpy.nan_to_num(heights, nan=0.0) by zero"
-            )
+            raise InputError(f"{gaps}: {REMEDY}")
         try:
             spacing = pair(self.spacing)
         except (TypeError, ValueError) as error:
@@ -108,7 +110,8 @@ class HeightMap:
 
         Args:
             topography: two-dimensional topography on a regular grid.
-            unit: unit of heights and coordinates, such as "um", if the topography has none.
+            unit: unit of heights and coordinates, such as "um", if the topography has none. A periodic topography
+                becomes a periodic map.
             fill: replace points that were not measured by a smooth, harmonic surface through their neighbours.
 
         Raises:
@@ -120,7 +123,8 @@ class HeightMap:
         # The first index of a topography runs along x, the second along y.
         heights = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan).T * to_metre
         dx, dy = topography.pixel_size
-        return cls(filled(heights) if fill else heights, (dx * to_metre, dy * to_metre))
+        whole = filled(heights) if fill else heights
+        return cls(whole, (dx * to_metre, dy * to_metre), periodic=bool(topography.is_periodic))
 
     @classmethod
     def of_part(cls, part: Any) -> Any:

@@ -9,20 +9,7 @@ from numpy.typing import ArrayLike
 from brinell import _core
 from brinell.errors import InputError
 
-_METRES = {
-    "m": 1.0,
-    "cm": 1e-2,
-    "mm": 1e-3,
-    "um": 1e-6,
-    "µm": 1e-6,
-    "μm": 1e-6,
-    "nm": 1e-9,
-    "pm": 1e-12,
-    "Å": 1e-10,
-    "angstrom": 1e-10,
-    "in": 0.0254,
-    "inch": 0.0254,
-}
+_LENGTHS = "m, cm, mm, um, nm, pm, in, angstrom"
 
 
 def metres(unit: str) -> float:
@@ -31,9 +18,10 @@ def metres(unit: str) -> float:
     Raises:
         InputError: the unit is unknown.
     """
-    if unit not in _METRES:
-        raise InputError(f"unit = {unit!r} is no unit of length; allowed: {', '.join(_METRES)}")
-    return _METRES[unit]
+    try:
+        return _core.length(f"1 {unit}")
+    except InputError as error:
+        raise InputError(f"unit = {unit!r} is no unit of length; allowed: {_LENGTHS}") from error
 
 
 def one_unit(stored: str | None, given: str | None) -> str:

@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from brinell import _core
 from brinell._toml import tomllib
 from brinell._values import plain
 from brinell.errors import InputError
@@ -111,7 +112,8 @@ def axis_of(given: object) -> Axis:
     if isinstance(given, Range | Choices):
         return given
     if isinstance(given, str):
-        return _range_of(given) or Choices(tuple(_values_of(given)))
+        text = _core.with_plain_signs(given)
+        return _range_of(text) or Choices(tuple(_values_of(text)))
     if hasattr(given, "tolist"):
         given = given.tolist()
     if not isinstance(given, Sequence):

@@ -38,6 +38,21 @@ std::string unit_comment(const CaseValues& values, const Entry& entry)
   return fmt::format(" # {}", si_unit(entry.of.dimension));
 }
 
+/// @throws InputError that continues a sentence which begins with the file's name
+void require_utf8(std::string_view text)
+{
+  const std::size_t good = valid_utf8(text);
+  if (good == text.size())
+    return;
+  const std::string_view before = text.substr(0, good);
+  throw InputError(
+      fmt::format("has in line {}, after \"{}\", the byte 0x{:02x}, which is not UTF-8; save the case in the encoding "
+                  "UTF-8",
+                  std::count(before.begin(), before.end(), '\n') + 1,
+                  before.substr(std::max(before.rfind('\n') + 1, good - std::min<std::size_t>(good, 40))),
+                  static_cast<unsigned char>(text[good])));
+}
+
 } // namespace
 
 const Value* CaseValues::find(std::string_view key) const
@@ -66,7 +81,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   for (const char* body : {"lower", "upper"})
   {
     load_hardening_file(result, raw, body, problems);
-    load_texture_files(result.values, raw, body, problems);
+    load_texture_files(result.values, raw, body, problems, result.warnings);
   }
   problems.throw_if_any();
 
@@ -102,7 +117,9 @@ std::string case_file_text(const std::filesystem::path& file)
                                  (file / "case.toml").string()));
   try
   {
-    return input_text(file);
+    std::string text = input_text(file);
+    require_utf8(text);
+    return text;
   }
   catch (const InputError& error)
   {

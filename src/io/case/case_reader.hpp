@@ -147,9 +147,10 @@ void warn_of_bare_numbers(const CaseReader& reader, Case& c);
 void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both);
 
 /// Replace hardening.file and each texture.file of a body by the content of these files, so that the resolved case needs no
-/// further files. The case gets warnings and notes about a curve.
+/// further files. The case gets warnings and notes about a curve, and warnings where it says something else than a file.
 void load_hardening_file(Case& c, const RawCase& raw, const std::string& body, Problems& problems);
-void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
+void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems,
+                        std::vector<Warning>& warnings);
 
 /// Completes the case of the scenario: checks that need more than the schema, equivalent radius, contact modulus, first yield and
 /// warnings. Errors are added to the reader's problems.

@@ -2,8 +2,7 @@
 #include "measured_files.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "io/files.hpp"
-#include "io/npy.hpp"
+#include "io/input_lines.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -22,29 +21,9 @@ namespace
 
 constexpr std::string_view blanks = " \t\r";
 
-/// A line that is neither a comment nor empty, with its number, counted from 1.
-struct Line
+InputError wrong_line(const InputLines& text, const InputLine& line, const std::string& why, const std::string& allowed)
 {
-  int number = 0;
-  std::string text;
-};
-
-std::vector<Line> lines_of(const std::filesystem::path& file)
-{
-  std::istringstream stream(input_text(file));
-  std::vector<Line> lines;
-  std::string text;
-  for (int number = 1; std::getline(stream, text); ++number)
-    if (const auto first = text.find_first_not_of(blanks); first != std::string::npos && text[first] != '#')
-      lines.push_back({number, text});
-  return lines;
-}
-
-InputError wrong_line(const Line& line, const std::string& why, const std::string& allowed)
-{
-  const auto first = line.text.find_first_not_of(blanks);
-  return InputError(
-      fmt::format("has in line {} \"{}\"{}; allowed: {}", line.number, line.text.substr(first, 40), why, allowed));
+  return InputError(fmt::format("has in line {} {}{}; allowed: {}", line.number, text.quoted(line.text), why, allowed));
 }
 
 constexpr std::string_view blanks_and_quotes = " \t\r\"";
@@ -76,7 +55,7 @@ bool has_comma_at_end(const std::string& field)
 }
 
 /// The columns of a line of a curve, with decimal commas replaced by points.
-std::vector<std::string> columns_of(const std::string& line)
+std::vector<std::string> columns_of(std::string_view line)
 {
   const std::string inside(trimmed(line, blanks_and_quotes));
   if (inside.find(';') != inside.npos)
@@ -103,7 +82,7 @@ catch (const InputError&)
   return std::nullopt;
 }
 
-bool begins_like_a_number(const std::string& line)
+bool begins_like_a_number(std::string_view line)
 {
   const std::string_view text = trimmed(line, blanks_and_quotes);
   const auto first = text.find_first_not_of("+-.,");
@@ -123,88 +102,26 @@ std::string example(std::string_view strain_unit, std::string_view stress_unit, 
                      stress_unit, with_point, stress, with_comma, stress);
 }
 
-/// Whether a word stands for a point that was not measured.
-bool is_missing(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-  word.erase(0, word.find_first_not_of("+-"));
-  return word == "nan" || word == "inf" || word == "infinity";
-}
-
-std::optional<double> plain_number(const std::string& word)
-{
-  const char* const begin = word.data() + (word.front() == '+' ? 1 : 0);
-  const char* const end = word.data() + word.size();
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
-}
-
-constexpr std::string_view between_decimal_commas = ";\t\r ";
-
-bool may_have_decimal_commas(const Line& line)
-{
-  const std::vector<std::string> fields = split(line.text, between_decimal_commas);
-  const auto fits = [](const std::string& field)
-  {
-    constexpr std::string_view digits = "0123456789";
-    const auto comma = field.find(',');
-    const bool is_between = comma == field.npos || (comma > 0 && digits.find(field[comma - 1]) != digits.npos &&
-                                                    digits.find(field.c_str()[comma + 1]) != digits.npos);
-    return is_missing(field) ||
-           (is_between && field.find('.') == field.npos && plain_number(with_points({field}).front()));
-  };
-  return (fields.size() > 1 || line.text.find(';') != line.text.npos) &&
-         std::all_of(fields.begin(), fields.end(), fits);
-}
-
-/// Rows of heights; a row with a word that is not a number is empty.
-/// @throws InputError if some heights were not measured, with the place of the first one, their number and a remedy
-std::vector<std::vector<double>> rows_of(const std::vector<Line>& lines)
-{
-  const auto has_comma = [](const Line& line) { return line.text.find(',') != line.text.npos; };
-  const bool decimal = std::any_of(lines.begin(), lines.end(), has_comma) &&
-                       std::all_of(lines.begin(), lines.end(), may_have_decimal_commas);
-  std::vector<std::vector<double>> rows;
-  std::string first; // place of the first height that was not measured
-  std::size_t missing = 0;
-  for (const Line& line : lines)
-  {
-    const auto words = decimal ? with_points(split(line.text, between_decimal_commas)) : split(line.text, ",;\t\r ");
-    auto& row = rows.emplace_back();
-    for (std::size_t i = 0; i < words.size(); ++i)
-    {
-      if (is_missing(words[i]) && missing++ == 0)
-        first = fmt::format("line {}, column {}", line.number, i + 1);
-      if (const auto number = plain_number(words[i]))
-        row.push_back(*number);
-    }
-    if (row.size() != words.size())
-      row.clear();
-  }
-  if (missing > 0)
-    throw InputError(not_measured(first, missing));
-  return rows;
-}
-
 } // namespace
 
 Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit, std::string_view stress_unit,
                  CurveRules::Strain kind)
 {
   Curve curve;
-  for (const Line& line : lines_of(file))
+  const InputLines text = input_lines(file);
+  for (const InputLine& line : text.lines)
   {
-    if (curve.stress.empty() && !begins_like_a_number(line.text))
-      continue; // title lines
+    if (line.is_comment || (curve.stress.empty() && !begins_like_a_number(line.text)))
+      continue; // also title lines
     const std::vector<std::string> columns = columns_of(line.text);
     const auto strain =
         columns.size() == 2 ? number_of(columns[0], strain_unit == "1" ? "" : strain_unit) : std::nullopt;
     const auto stress = columns.size() == 2 ? number_of(columns[1], stress_unit) : std::nullopt;
     if (!strain || !stress)
-      throw wrong_line(line,
-                       columns.size() != 2 ? fmt::format(", {} columns", columns.size())
-                                           : fmt::format(", where {} is not a number", columns[strain ? 1 : 0]),
+      throw wrong_line(text, line,
+                       columns.size() != 2
+                           ? fmt::format(", {} columns", columns.size())
+                           : fmt::format(", where {} is not a number", text.shown(columns[strain ? 1 : 0])),
                        example(strain_unit, stress_unit, kind));
     curve.strain.push_back(*strain);
     curve.stress.push_back(*stress);
@@ -212,26 +129,6 @@ Curve read_curve(const std::filesystem::path& file, std::string_view strain_unit
   if (curve.stress.empty())
     throw InputError("has no line of numbers; allowed: text, " + example(strain_unit, stress_unit, kind));
   return curve;
-}
-
-HeightTable read_heights(const std::filesystem::path& file)
-{
-  if (file.extension() == ".npy")
-    return read_npy(file);
-  HeightTable table;
-  const std::vector<Line> lines = lines_of(file);
-  const auto rows = rows_of(lines);
-  for (std::size_t j = 0; j < rows.size(); ++j)
-  {
-    if (rows[j].empty() || rows[j].size() != rows.front().size())
-      throw wrong_line(lines[j], "",
-                       fmt::format("{} heights in m", j > 0 ? std::to_string(table.columns) : "one or more"));
-    table.columns = rows[j].size();
-    table.heights.insert(table.heights.end(), rows[j].begin(), rows[j].end());
-  }
-  if (table.heights.empty())
-    throw InputError("has no heights; allowed: text with a row of heights in m per line");
-  return table;
 }
 
 double size_of_unit(const std::string& unit, Dimension dimension, std::string_view allowed)

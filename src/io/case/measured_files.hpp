@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/io/case_file.hpp"
 #include "brinell/io/measured_curve.hpp"
 #include "brinell/io/units.hpp"
 
@@ -10,17 +9,13 @@
 #include <string_view>
 #include <vector>
 
-/// Reading of measured data from files, including read_curve() of measured_curve.hpp. In text files, a line that begins with # is a comment. Numbers are separated by blanks,
-/// tabs, semicolons or commas. If they are separated by something other than commas, a comma is a decimal comma; this is decided
-/// line by line for a curve, and once for a whole file of heights. Python reads files in the same way
-/// (brinell/surfaces/files.py).
+/// Reading of measured data from files, including read_curve() of measured_curve.hpp. A line that begins with # is a comment.
+/// Numbers are separated by blanks, tabs, semicolons or commas. If something other than a comma separates the numbers of a line,
+/// a comma is a decimal comma.
 /// @throws InputError; its text continues a sentence that begins with the key ("has in line 3 ..."); IoError. (all of this
 /// header)
 namespace brinell::io
 {
-
-/// Reads heights without converting units: from a .npy file, or from text with one row per line.
-[[nodiscard]] HeightTable read_heights(const std::filesystem::path& file);
 
 /// Size of a unit in SI.
 /// @param allowed  for the error text: "stress, such as \"MPa\""

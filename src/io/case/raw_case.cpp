@@ -2,6 +2,7 @@
 #include "raw_case.hpp"
 
 #include "brinell/io/schema.hpp"
+#include "brinell/io/units.hpp"
 #include "io/files.hpp"
 #include "io/text.hpp"
 #include "suggestion.hpp"
@@ -125,6 +126,8 @@ toml::table override_table(const std::string& value)
   }
   catch (const toml::parse_error&)
   {
+    if (const std::string plain = with_plain_signs(value); plain != value)
+      return override_table(plain);
   }
   toml::table text;
   text.insert("value", value);

@@ -55,39 +55,53 @@ Entries shape_entries(const std::string& table)
 /// Keys of a height map.
 Entries map_entries(const std::string& table)
 {
-  return in_table(table, {table + "type", {"height_map"}},
-                  {
-                      {.key = "file",
-                       .of = kind::text,
-                       .unset = "heights and columns",
-                       .text = "File of heights, in m or in the given unit, positive outwards; the path is relative to "
-                               "the folder of the case. .npy: binary NumPy array [y, x]; any other file: text with one "
-                               "line for each row along x, all lines of equal length, ordered along y.",
-                       .excludes = "heights"},
-                      {.key = "unit",
-                       .of = kind::text,
-                       .unset = "m",
-                       .text = "Unit of the heights in the file, for example \"um\"."},
-                      {.key = "heights",
-                       .of = kind::length.list(),
-                       .unset = "from file",
-                       .text = "The heights themselves, positive outwards, row by row: x runs fastest, then y.",
-                       .excludes = "file"},
-                      {.key = "columns",
-                       .of = kind::integer.between(1, 1000000),
-                       .unset = "from file",
-                       .text = "Number of heights in each row along x."},
-                      {.key = "spacing",
-                       .of = kind::length.list().above(0.0),
-                       .required = true,
-                       .text = "Distances [dx, dy] between the heights. The surface is linear between the points and "
-                               "zero outside the map."},
-                      {.key = "periodic",
-                       .of = kind::boolean,
-                       .fallback = false,
-                       .text = "Whether the map repeats over the whole surface instead of being zero outside. The "
-                               "periods are the numbers of points times their distances."},
-                  });
+  return in_table(
+      table, {table + "type", {"height_map"}},
+      {
+          {.key = "file",
+           .of = kind::text,
+           .unset = "heights and columns",
+           .text = "File of heights, in m or in the given unit, positive outwards; the path is relative to "
+                   "the folder of the case. A .npy file is a NumPy array [y, x]; any other file is text: "
+                   "one line for each row along x, ordered along y, or x, y and z of one point per line. "
+                   "Unit, distances, centre and period are taken from its header if it has one and the "
+                   "case does not give them.",
+           .excludes = "heights"},
+          {.key = "unit",
+           .of = kind::text,
+           .unset = "from file, otherwise m",
+           .text = "Unit of the heights in the file, for example \"um\"; of points also that of x and y, and "
+                   "then needed."},
+          {.key = "layout",
+           .choices = {"rows", "points"},
+           .unset = "from file",
+           .text = "Whether the lines of the file are rows of heights, or x, y and z of one point each. By "
+                   "default, lines of three numbers are points if x and y are those of a grid."},
+          {.key = "fill",
+           .of = kind::boolean,
+           .unset = "false: gaps are an error",
+           .text = "Whether a smooth surface fills points of the file that were not measured: empty cells, "
+                   "NaN, points that a list leaves out. Each filled point is the mean of its neighbours."},
+          {.key = "heights",
+           .of = kind::length.list(),
+           .unset = "from file",
+           .text = "The heights themselves, positive outwards, row by row: x runs fastest, then y.",
+           .excludes = "file"},
+          {.key = "columns",
+           .of = kind::integer.between(1, 1000000),
+           .unset = "from file",
+           .text = "Number of heights in each row along x."},
+          {.key = "spacing",
+           .of = kind::length.list().above(0.0),
+           .unset = "from file",
+           .text = "Distances [dx, dy] between the heights. The surface is linear between the points and "
+                   "zero outside the map."},
+          {.key = "periodic",
+           .of = kind::boolean,
+           .fallback = false,
+           .text = "Whether the map repeats over the whole surface instead of being zero outside. The "
+                   "periods are the numbers of points times their distances."},
+      });
 }
 
 /// Keys of sinusoidal waves.

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_reader.hpp"
+
+#include "brinell/io/height_file.hpp"
+#include "brinell/io/schema.hpp"
+#include "brinell/simulation/filling.hpp"
 #include "measured_files.hpp"
 
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -16,7 +21,12 @@ namespace
 /// Reads a height map; if its keys are inconsistent, adds a problem and returns a smooth texture.
 simulation::Texture height_map(const CaseReader& reader, const std::string& table)
 {
-  const auto& spacing = reader.get<std::vector<double>>(table + "spacing");
+  const auto spacing = reader.get_or<std::vector<double>>(table + "spacing", {});
+  if (!reader.has(table + "spacing"))
+  {
+    reader.missing(table + "spacing", allowed_values(*find_entry(table + "spacing")));
+    return {};
+  }
   if (spacing.size() != 2)
   {
     reader.add(table + "spacing", "needs two lengths, [dx, dy]");
@@ -134,43 +144,102 @@ simulation::Texture read_texture(const CaseReader& reader, const std::string& ke
 namespace
 {
 
-/// Heights from a table in memory or, if there is none with that name, from a file.
-HeightTable named_heights(const RawCase& raw, const std::string& name)
+/// Whether distances differ by more than the digits that files have.
+bool differs(const std::array<double, 2>& a, const std::array<double, 2>& b)
 {
-  const auto found = raw.height_tables ? raw.height_tables->find(name) : HeightTables::const_iterator();
-  return raw.height_tables && found != raw.height_tables->end() ? found->second : read_heights(raw.folder / name);
+  constexpr double digits = 1e-3;
+  return std::abs(a[0] - b[0]) > digits * std::abs(a[0]) || std::abs(a[1] - b[1]) > digits * std::abs(a[1]);
 }
 
-/// Size in m of the unit of a height file; 1 if no unit is given. If the unit is invalid, a problem is added and the result is 1.
-/// The key is removed, because the resolved case is in SI.
-/// @param table  ends with a dot
-double metres_of_unit(CaseValues& values, const CaseReader& reader, const std::string& table)
+/// Warns if the case gives other distances than the file.
+void warn_of_spacing(const CaseReader& reader, const std::string& table, const std::array<double, 2>& stored,
+                     std::vector<Warning>& warnings)
 {
-  const std::string key = table + "unit";
-  if (!reader.has(key))
-    return 1.0;
-  double metres = 1.0;
-  if (!reader.has(table + "file"))
-    reader.add(key, "is the unit of a file; it goes with {}file only", table);
+  const auto& given = reader.get<std::vector<double>>(table + "spacing");
+  if (given.size() != 2 || !differs(stored, {given[0], given[1]}))
+    return;
+  warnings.push_back({"spacing_of_file", fmt::format("{} is used, although the file has points every {:.6g} x {:.6g} m",
+                                                     reader.cited(table + "spacing"), stored[0], stored[1])});
+}
+
+/// The unit of a file; if it is none of length, a problem is added and the result is m.
+std::string length_unit(const CaseReader& reader, const std::string& key)
+{
+  try
+  {
+    static_cast<void>(size_of_unit(reader.get<std::string>(key), dimension::length, "length, such as \"um\""));
+    return reader.get<std::string>(key);
+  }
+  catch (const InputError& error)
+  {
+    reader.add(key, error.what());
+    return "m";
+  }
+}
+
+/// What the case says about a file of heights. The keys are removed, because the resolved case is in SI and has the heights.
+/// @param table  ends with a dot
+HeightFileOptions options_of(CaseValues& values, const CaseReader& reader, const std::string& table)
+{
+  HeightFileOptions options;
+  for (const char* name : {"unit", "layout", "fill"})
+  {
+    const std::string key = table + name;
+    if (!reader.has(key))
+      continue;
+    if (!reader.has(table + "file"))
+      reader.add(key, "belongs to a file; it goes with {}file only", table);
+    else if (key.ends_with("unit"))
+      options.unit = length_unit(reader, key);
+    else if (key.ends_with("layout"))
+      options.layout = height_layout(reader.get<std::string>(key));
+    else
+      options.fill = reader.get<bool>(key);
+    values.replace(key, {});
+  }
+  return options;
+}
+
+/// Replaces the value of a key, or a key that is replaced by more than one.
+void set(CaseValues& values, const std::string& key, Value value)
+{
+  values.replace(key, {{key, std::move(value)}});
+}
+
+/// Adds what the file says and the case does not.
+void take_from_file(CaseValues& values, const CaseReader& reader, const std::string& table, const HeightFile& file)
+{
+  if (file.x && !reader.raw.find(table + "x"))
+    set(values, table + "x", *file.x);
+  if (file.y && !reader.raw.find(table + "y"))
+    set(values, table + "y", *file.y);
+  if (file.periodic && !reader.raw.find(table + "periodic"))
+    set(values, table + "periodic", *file.periodic);
+}
+
+/// Heights from a table in memory or, if there is none with that name, from a file.
+HeightFile named_heights(const RawCase& raw, const std::string& name, const HeightFileOptions& options)
+{
+  HeightFile file;
+  const auto found = raw.height_tables ? raw.height_tables->find(name) : HeightTables::const_iterator();
+  if (raw.height_tables && found != raw.height_tables->end())
+    file.table = found->second;
   else
-    try
-    {
-      metres = size_of_unit(reader.get<std::string>(key), dimension::length, "length, such as \"um\"");
-    }
-    catch (const InputError& error)
-    {
-      reader.add(key, error.what());
-    }
-  values.replace(key, {});
-  return metres;
+    file = read_height_file(raw.folder / name, options);
+  if (options.fill && file.gaps > 0)
+    file.table.heights = simulation::filled(std::move(file.table.heights), file.table.columns);
+  else if (file.gaps > 0)
+    throw InputError(gap_text(file) + ", or fill = true here");
+  return file;
 }
 
 /// Replaces the key `file` of a texture by its heights.
 /// @param table  ends with a dot
-void load_heights(CaseValues& values, const RawCase& raw, const std::string& table, Problems& problems)
+void load_heights(CaseValues& values, const RawCase& raw, const std::string& table, Problems& problems,
+                  std::vector<Warning>& warnings)
 {
   const CaseReader reader{values, raw, problems};
-  const double metres = metres_of_unit(values, reader, table);
+  const HeightFileOptions options = options_of(values, reader, table);
   if (!reader.has(table + "file"))
     return;
   const auto name = reader.get<std::string>(table + "file");
@@ -183,11 +252,25 @@ void load_heights(CaseValues& values, const RawCase& raw, const std::string& tab
   }
   try
   {
-    auto [heights, columns] = named_heights(raw, name);
-    for (double& height : heights)
-      height *= metres;
-    values.replace(table + "file",
-                   {{table + "heights", std::move(heights)}, {table + "columns", static_cast<std::int64_t>(columns)}});
+    HeightFile file = named_heights(raw, name, options);
+    take_from_file(values, reader, table, file);
+    std::vector<std::pair<std::string, Value>> loaded{
+        {table + "heights", std::move(file.table.heights)},
+        {table + "columns", static_cast<std::int64_t>(file.table.columns)}};
+    if (!reader.has(table + "spacing") && file.spacing)
+      loaded.emplace_back(table + "spacing", std::vector(file.spacing->begin(), file.spacing->end()));
+    else if (file.spacing)
+      warn_of_spacing(reader, table, *file.spacing, warnings);
+    values.replace(table + "file", std::move(loaded));
+  }
+  catch (const NoHeightText& error)
+  {
+    reader.add(
+        table + "file",
+        "{}; allowed: text with a row of heights or with x, y and z of a point per line, or a .npy file; \"brinell "
+        "surface convert FILE OUT.npy\" makes one of formats of instruments, with --channel NAME of one of several "
+        "maps",
+        error.what());
   }
   catch (const InputError& error)
   {
@@ -197,10 +280,11 @@ void load_heights(CaseValues& values, const RawCase& raw, const std::string& tab
 
 } // namespace
 
-void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems)
+void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems,
+                        std::vector<Warning>& warnings)
 {
   for (const std::string& table : raw.tables_of(body + ".texture"))
-    load_heights(values, raw, table + ".", problems);
+    load_heights(values, raw, table + ".", problems, warnings);
 }
 
 } // namespace brinell::io

@@ -2,6 +2,7 @@
 #include "toml_text.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/units.hpp"
 #include "io/pattern.hpp"
 
 #include <algorithm>
@@ -36,6 +37,10 @@ std::string remedy(std::string_view text, std::size_t number)
   for (; number > 1 && !text.empty(); --number)
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   const std::string line(text.substr(0, text.find('\n')));
+  if (line.find("\u2212") != line.npos)
+    return "; it has a minus sign (U+2212): outside of quotes a number has a hyphen, as -0.3";
+  if (with_plain_signs(line) != line)
+    return "; it has a no-break space: outside of quotes only ordinary blanks are allowed";
   if (std::count(line.begin(), line.end(), '"') % 2 == 1)
     return "; is a quote missing at the end of the line?";
   if (line.find('\\') != line.npos)

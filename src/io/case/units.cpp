@@ -47,8 +47,9 @@ constexpr std::array units{
     Unit{"rad", {}}, // only per length; plain angles are read by `degrees`
     Unit{"Hz", {.time = -1}},
     Unit{"%", {}, -2, false},
+    Unit{"\u00c5", {.length = 1}, -10, false}, // angstrom, the letter and the sign
+    Unit{"\u212b", {.length = 1}, -10, false},
     Unit{"angstrom", {.length = 1}, -10, false},
-    Unit{"\u00c5", {.length = 1}, -10, false},
     Unit{"in", {.length = 1}, 0, false, 0.0254},
     Unit{"inch", {.length = 1}, 0, false, 0.0254},
     Unit{"kgf", {.mass = 1, .length = 1, .time = -2}, 0, false, kilogram_force},
@@ -263,9 +264,32 @@ std::string_view example_quantity(Dimension dimension)
   return named ? named->example : std::string_view{};
 }
 
-Quantity quantity(std::string_view text)
+std::string with_plain_signs(std::string_view text)
 {
-  text = trimmed(text);
+  struct Sign
+  {
+    std::string_view bytes;
+    char plain;
+  };
+  constexpr std::array<Sign, 5> signs{
+      {{"\u00a0", ' '}, {"\u2007", ' '}, {"\u2009", ' '}, {"\u202f", ' '}, {"\u2212", '-'}}};
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto begins = [&](const Sign& sign) { return text.substr(i).starts_with(sign.bytes); };
+    const auto found = byte == 0xc2 || byte == 0xe2 ? std::find_if(signs.begin(), signs.end(), begins) : signs.end();
+    plain += found == signs.end() ? text[i] : found->plain;
+    i += found == signs.end() ? 1 : found->bytes.size();
+  }
+  return plain;
+}
+
+Quantity quantity(std::string_view given)
+{
+  const std::string plain = with_plain_signs(given); // texts and web pages have other blanks and minus signs
+  std::string_view text = trimmed(plain);
   const auto number = take_number(text);
   if (!number)
     throw InputError("is not a number with a unit, such as \"3.85 mm\"");
@@ -282,8 +306,9 @@ Quantity quantity(std::string_view text)
   return result;
 }
 
-double degrees_celsius(std::string_view text)
+double degrees_celsius(std::string_view given)
 {
+  const std::string text = with_plain_signs(given);
   constexpr double ice_point = 273.15; // [K]
   const auto [value, unit] = number_and_unit(text);
   if (unit == "degC" || unit == "\u00b0C")
@@ -293,8 +318,9 @@ double degrees_celsius(std::string_view text)
   return value - ice_point;
 }
 
-double degrees(std::string_view text)
+double degrees(std::string_view given)
 {
+  const std::string text = with_plain_signs(given);
   constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
   const auto [value, unit] = number_and_unit(text);
   if (unit == "deg" || unit == "\u00b0")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
+#include "brinell/io/height_file.hpp"
 #include "io/npy.hpp"
 #include "sample.hpp"
 
@@ -93,10 +94,18 @@ TEST_F(Npy, Refusals)
   EXPECT_NE(
       refusal(file_of("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }", two)).find("16 bytes for 2 x 2"),
       std::string::npos);
+}
+
+TEST_F(Npy, GapsAreNamedAndAnyEndingIsRead)
+{
   const std::vector<double> gap{1.0, std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_NE(
-      refusal(file_of("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }", gap)).find("row 1, column 2"),
-      std::string::npos);
+  const auto file = folder.path() / "map.dat";
+  std::ofstream(file, std::ios::binary) << file_of("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }", gap);
+  const HeightFile read = read_height_file(file, {.unit = "um"});
+  EXPECT_EQ(read.table.heights.front(), 1e-6);
+  EXPECT_TRUE(std::isnan(read.table.heights.back()));
+  EXPECT_EQ(read.gaps, 1u);
+  EXPECT_TRUE(gap_text(read).starts_with("has in row 1, column 2 a height that is not finite; fill"));
 }
 
 constexpr const char* head = R"(scenario = "rolling"

@@ -37,6 +37,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Good{"911.5 N/mm^2", 911.5e6, dimension::pressure},
                     Good{"911.5 N/mm2", 911.5e6, dimension::pressure},
                     Good{"911.5 N*mm^-2", 911.5e6, dimension::pressure}, Good{"7 N/mm\u00b2", 7e6, dimension::pressure},
+                    Good{"1\u00a0mm", 1e-3, dimension::length}, Good{"\u22121\u202fmm", -1e-3, dimension::length},
+                    Good{"2\u2009MPa", 2e6, dimension::pressure}, Good{"3 \u00c5", 3e-10, dimension::length},
                     Good{"2 um", 2e-6, dimension::length}, Good{"2 \u00b5m", 2e-6, dimension::length},
                     Good{"2 \u03bcm", 2e-6, dimension::length}, Good{"7 nm", 7e-9, dimension::length},
                     Good{"1e3 m", 1e3, dimension::length}, Good{"-1.5E-2 km", -15.0, dimension::length},
