@@ -2,11 +2,11 @@
 """Held against refinement: random cases with dents, bumps, waves, rough and measured surfaces.
 
 Each case is drawn from its number alone, computed with cells of the drawn size and of half that size, and the change of
-each number with a stated error is compared with that error. docs/verification/accuracy.md (dents and roughness) gives the
-result.
+each number with a stated error is compared with that error. docs/verification/accuracy.md (dents and roughness) gives
+the result.
 
-    python bench/textures.py run --from 3000 --to 3300 -o textures.jsonl  # appends cases that the file does not have yet
-    python bench/textures.py show textures.jsonl                          # changes above 1.5 and 3 times the stated error
+    python bench/textures.py run --from 3000 --to 3300 -o textures.jsonl  # appends cases that it lacks
+    python bench/textures.py show textures.jsonl                          # changes above 1.5 and 3 times the stated
 """
 
 from __future__ import annotations
@@ -378,9 +378,7 @@ def show(options: argparse.Namespace) -> None:
     unwarned = [ratio for ratio, row in every if not row["coarse"]["warnings"]]
     for name, ratios in ("all", [ratio for ratio, _ in every]), ("in runs without a warning", unwarned):
         above = [sum(ratio > limit for ratio in ratios) for limit in (1.5, 3.0)]
-        print(
-            f"{name}: {len(ratios)} errors, {above[0]} more than 1.5 times, {above[1]} more than 3 times as large as stated"
-        )
+        print(f"{name}: {len(ratios)} errors, {above[0]} above 1.5, {above[1]} above 3 times the stated")
     for ratio, row in sorted(every, key=lambda pair: -pair[0])[: options.worst]:
         print(f"  case {row['number']}: {ratio:.1f}, warnings {[w['key'] for w in row['coarse']['warnings']]}")
 
