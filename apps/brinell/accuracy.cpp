@@ -229,6 +229,7 @@ void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, i
              "the requested accuracy of {:.3g} % is not reached: the largest error of the key numbers is {}, {}",
              100.0 * report.accuracy->asked, simulation::percent_text(report.accuracy->error),
              io::accuracy_advice(c, *report.accuracy))});
+  io::take_measured_errors(*report.accuracy, info.quality.resolution);
   info.accuracy = report.accuracy;
 }
 
@@ -252,6 +253,11 @@ std::string accuracy_text(const io::Accuracy& a)
                         simulation::percent_text(n.relative_error), number(n.order, "{:.2g}"),
                         number(n.extrapolated, "{:.6e}"), n.low, n.high);
   }
+  for (const std::string& name : a.key_numbers)
+    if (const simulation::Convergence& n = a.numbers.at(name); n.low < 0.0 && n.high > 0.0)
+      text += fmt::format(
+          "{}: the interval contains zero, so that these cells tell no more than its largest size, {:.3g}\n", name,
+          std::max(-n.low, n.high));
   return text;
 }
 

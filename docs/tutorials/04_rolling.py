@@ -116,6 +116,6 @@ for run in runs.values():
     print(f"{run.title}: {losses} mJ")
 
 # %%
-# Next steps: with ``slide_to_roll`` the ball slides as well; with ``texture=brinell.Dent("1 um", "200 um")`` on a body
+# Next steps: with ``slide_to_roll`` the ball slides as well; with ``texture=brinell.Dent("1 um", edge_radius="50 um")`` on a body
 # it rolls over a dent; in ``cases/rolling-passes`` both bodies are of the same steel. The computed shakedown limit
 # compared with the published one: :doc:`/docs/verification`.

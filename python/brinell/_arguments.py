@@ -52,7 +52,7 @@ def _explain_errors_of(kind: type, name: str) -> None:
         try:
             original(self, *args, **given)
         except TypeError:
-            if reason := _reason(original, args, given, getattr(kind, "_parts", {})):
+            if reason := _reason(original, args, given, kind):
                 raise ArgumentError(f"{name}: {reason}") from None
             raise
 
@@ -60,9 +60,7 @@ def _explain_errors_of(kind: type, name: str) -> None:
     kind.__init__ = initialise  # type: ignore[method-assign]
 
 
-def _reason(
-    function: Callable[..., None], args: tuple[Any, ...], given: Mapping[str, Any], parts: Mapping[str, type]
-) -> str:
+def _reason(function: Callable[..., None], args: tuple[Any, ...], given: Mapping[str, Any], kind: type) -> str:
     """Describes what is wrong with the arguments of a method; empty if they fit, so the error came from inside it."""
     _, *parameters = inspect.signature(function).parameters.values()
     known = {parameter.name: parameter for parameter in parameters}
@@ -71,12 +69,13 @@ def _reason(
     unknown = [name for name in given if name not in known]
     if unknown:
         found = ", ".join(f"{name} = {reprlib.repr(given[name])}" for name in unknown)
-        hints = "".join(_hint(name, known, parts) for name in unknown)
+        hints = "".join(_hint(name, known, kind) for name in unknown)
         return f"unknown argument{'s' if len(unknown) > 1 else ''} {found}; {hints}{allowed}"
     if len(args) > len(by_place):
         places = f"allowed: {', '.join(by_place)}; by name: " if by_place else "allowed, by name: "
         named = ", ".join(name for name in known if name not in by_place) or "none"
-        return f"{len(args)} argument{'s' if len(args) > 1 else ''} without a name; {places}{named}"
+        retired = "".join(f"; {why}" for why in getattr(kind, "_retired", {}).values())
+        return f"{len(args)} argument{'s' if len(args) > 1 else ''} without a name; {places}{named}{retired}"
     if twice := [name for name in by_place[: len(args)] if name in given]:
         return f"{', '.join(twice)} given twice, without and with the name; keep one"
     missing = [name for name, one in known.items() if one.default is one.empty and name not in given]
@@ -85,9 +84,11 @@ def _reason(
     return ""
 
 
-def _hint(name: str, known: Mapping[str, Any], parts: Mapping[str, type]) -> str:
-    """Hint for an unknown argument: a similar name, or the table of the same case to which the name belongs."""
-    for part, kind in parts.items():
-        if part in known and name in [field.name for field in fields(kind)]:
-            return f"{name} belongs into {part} = brinell.{kind.__name__}({name}=...); "
+def _hint(name: str, known: Mapping[str, Any], kind: type) -> str:
+    """Hint for an unknown argument: what replaced it, a similar name, or the table of the case to which it belongs."""
+    if why := getattr(kind, "_retired", {}).get(name):
+        return f"{why}; "
+    for part, part_kind in getattr(kind, "_parts", {}).items():
+        if part in known and name in [field.name for field in fields(part_kind)]:
+            return f"{name} belongs into {part} = brinell.{part_kind.__name__}({name}=...); "
     return did_you_mean(name, known, alike=0.8) or did_you_mean(name, known, most=3)

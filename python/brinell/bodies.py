@@ -8,7 +8,7 @@ docs/reference/case-file.md explains them and lists the allowed values.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Any, ClassVar, Protocol, TypeAlias
 
 from brinell.errors import InputError
@@ -122,15 +122,32 @@ class Flat(Shape):
     type: ClassVar[str] = "flat"
 
 
+# By name only: the second argument without a name was the radius.
+_RADIUS_OF_DENTS = {
+    "radius": "edge_radius is the radius at which the surface is crossed; the earlier radius was the wavelength of the "
+    "profile: edge_radius = 0.25 x radius"
+}
+
+
 @dataclass(frozen=True)
 class Dent(_Typed):
-    """A dent with a raised shoulder: depth 10^(-10 (r/radius)^2) cos(2 pi r/radius), centred at (x, y)."""
+    """A dent with a raised shoulder, centred at (x, y): depth 10^(-10 (r/w)^2) cos(2 pi r/w) with w = 4 edge_radius.
+
+    Attributes:
+        depth: at the centre.
+        edge_radius: radius at which the dent crosses the undisturbed surface, half of the diameter that is read from a
+            profile at its level. Half of the depth is at half of this radius, the crest of the shoulder, 4 % of the
+            depth high, at 1.26 times this radius.
+        x: of the centre.
+        y: of the centre.
+    """
 
     type: ClassVar[str] = "dent"
+    _retired: ClassVar[dict[str, str]] = _RADIUS_OF_DENTS
     depth: Quantity
-    radius: Quantity
-    x: Quantity = 0.0
-    y: Quantity = 0.0
+    edge_radius: Quantity = field(kw_only=True)
+    x: Quantity = field(default=0.0, kw_only=True)
+    y: Quantity = field(default=0.0, kw_only=True)
 
 
 @dataclass(frozen=True)
@@ -138,10 +155,11 @@ class Bump(_Typed):
     """A bump of the shape of an inverted `Dent`, centred at (x, y)."""
 
     type: ClassVar[str] = "bump"
+    _retired: ClassVar[dict[str, str]] = _RADIUS_OF_DENTS
     height: Quantity
-    radius: Quantity
-    x: Quantity = 0.0
-    y: Quantity = 0.0
+    edge_radius: Quantity = field(kw_only=True)
+    x: Quantity = field(default=0.0, kw_only=True)
+    y: Quantity = field(default=0.0, kw_only=True)
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from figure_parts import texts
 
 STEEL = brinell.Material("200 GPa", 0.3)
 ROUGH = brinell.RandomSurface(cutoff="16 um", rms_height="10 nm", rolloff="40 um")
-DENT = brinell.Dent("0.1 um", "40 um")
+DENT = brinell.Dent("0.1 um", edge_radius="10 um")
 
 
 def rough(points: int = 128, **changes: Any) -> HeightMap:
@@ -329,3 +329,11 @@ def test_a_map_of_the_surface_is_the_texture() -> None:
     second = Case(press(surface).to_toml()).with_values({"grid": grid}).run()
     # Linear between its points the map misses up to (q dx)^2/8 of a wave, 1.2 % of the shortest; heights reach 3 rms.
     np.testing.assert_allclose(first.history["approach"], second.history["approach"], rtol=0, atol=0.012 * 3 * 1e-8)
+
+
+@pytest.mark.parametrize("kind", [brinell.Dent, brinell.Bump])
+def test_the_earlier_radius_of_a_dent_is_converted(kind: Any) -> None:
+    for given, named in [(("1 um", "200 um"), {}), (("1 um",), {"radius": "200 um"})]:
+        with pytest.raises(brinell.InputError, match="edge_radius = 0.25 x radius"):
+            kind(*given, **named)
+    assert kind("1 um", edge_radius="50 um").to_case()["edge_radius"] == "50 um"

@@ -64,7 +64,7 @@ def test_an_indentation_runs() -> None:
 
 def test_a_rolling_over_a_dent_runs() -> None:
     run = brinell.Rolling(
-        lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", radius="10 um")),
+        lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", edge_radius="2.5 um")),
         upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
         distance="30 um",
         hertz_pressure="2.5 GPa",
@@ -197,7 +197,7 @@ def test_a_pressed_cylinder_is_drawn_beside_the_elastic_one() -> None:
 
 def test_a_grid_that_turns_out_too_small_grows() -> None:
     rolling = brinell.Rolling(
-        lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", radius="10 um")),
+        lower=brinell.Body(brinell.Flat(), STEEL, brinell.Dent(depth="0.2 um", edge_radius="2.5 um")),
         upper=body_of_radius("100 um", brinell.Material("300 GPa", 0.25)),
         distance="30 um",
         hertz_pressure="4 GPa",

@@ -121,7 +121,7 @@ def test_surfaces_as_they_are(run: Run) -> None:
 
 
 def test_peaks_meet_on_the_way() -> None:
-    bump = brinell.Bump("0.5 um", "150 um")  # tops overlap by 0.2 um: they meet 63 um before the middle
+    bump = brinell.Bump("0.5 um", edge_radius="37.5 um")  # tops overlap by 0.2 um: they meet 63 um before the middle
     flat = brinell.Body(brinell.Flat(), ELASTIC, bump)
     ball = brinell.Body(brinell.Sphere("10 mm"), ELASTIC)
     case = brinell.Sliding(flat, ball, "200 um", approach="-0.3 um", press_steps=1, grid={"resolution": 3})

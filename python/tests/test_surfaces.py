@@ -268,7 +268,7 @@ def test_a_map_of_surface_topography_is_a_texture() -> None:
     steel = Material("210 GPa", 0.3)
     ours = surfaces.HeightMap.from_topography(measured).to_case()
     assert Body(Flat(), steel, measured).to_case()["texture"] == ours
-    several = Body(Flat(), steel, texture=[Dent("1 um", "50 um"), measured]).to_case()
+    several = Body(Flat(), steel, texture=[Dent("1 um", edge_radius="12.5 um"), measured]).to_case()
     assert several["texture"][1] == ours
     ball = Body(Sphere("1 mm"), steel)
     case = Indentation(Body(Flat(), steel), ball, load=["1 N"])

@@ -27,7 +27,11 @@ Pattern::Match match_of(const Found& found)
 
 } // namespace
 
-Pattern::Pattern(const char* expression) : compiled_(new Compiled{std::regex(expression)}) {}
+Pattern::Pattern(const char* expression, bool ignores_case)
+    : compiled_(new Compiled{
+          std::regex(expression, ignores_case ? std::regex::ECMAScript | std::regex::icase : std::regex::ECMAScript)})
+{
+}
 
 Pattern::~Pattern() = default;
 

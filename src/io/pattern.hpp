@@ -14,7 +14,7 @@ namespace brinell::io
 class Pattern
 {
 public:
-  explicit Pattern(const char* expression);
+  explicit Pattern(const char* expression, bool ignores_case = false);
   ~Pattern();
   Pattern(const Pattern&) = delete;
   Pattern& operator=(const Pattern&) = delete;

@@ -58,7 +58,7 @@ namespace
 std::optional<std::array<double, 2>> bounds(const TexturePart& part)
 {
   if (const auto* dent = std::get_if<Dent>(&part))
-    return std::array{std::abs(dent->x) + 0.5 * dent->radius, std::abs(dent->y) + 0.5 * dent->radius};
+    return std::array{std::abs(dent->x) + 2.0 * dent->edge_radius, std::abs(dent->y) + 2.0 * dent->edge_radius};
   if (const auto* map = std::get_if<HeightMap>(&part); map && !map->periodic)
     return std::array{std::abs(map->x) + 0.5 * map->nx * map->dx, std::abs(map->y) + 0.5 * map->ny * map->dy};
   return std::nullopt;

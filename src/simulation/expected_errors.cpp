@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
 #include <optional>
+#include <string>
 
 /// Errors to expect of a run, from the tables of docs/verification/accuracy.md: with its cells, with its steps, and of its dents.
 namespace brinell::simulation
@@ -50,27 +53,108 @@ std::vector<Documented> all_documented(const Facts& f)
   return all;
 }
 
-/// @param seen  by the run; null before it
-std::vector<ExpectedError> expected_errors(const Facts& f, double of_contact, const RunTotals* seen)
+/// The lengths in cells that decide about errors: of the contact, and of what yields.
+struct Lengths
+{
+  double contact, zone;
+  const char* shortest; ///< name of the shorter one
+};
+
+/// @param contact  cells per contact radius; NaN for flats over a period
+/// @param seen     by the run; null before it
+Lengths lengths_of(const Facts& f, double contact, const RunTotals* seen)
 {
   // The plastic zone of the tables is 2.5 contact radii deep in layers of cells; near first yield it is much shallower.
   constexpr double layers_per_cell = 2.5;
-  const int layers = seen ? seen->coverage.plastic_layers : 0;
-  const bool yields = seen ? layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
-  const double of_zone = layers > 0 ? std::min(of_contact, layers / layers_per_cell) : of_contact;
+  // docs/verification/accuracy.md (dents and roughness)
+  constexpr double before = 0.25, after = 0.5; // of a wave: its crest, and what yields under it
+  constexpr double per_peak = 2.0;
+  Lengths l{std::isnan(contact) ? std::numeric_limits<double>::infinity() : contact, 0.0, "the contact radius"};
+  const auto shorten = [](double& length, double to, const char*& name, const char* what)
+  {
+    if (to > 0.0 && to < length) // 0: not seen
+      length = to, name = what;
+  };
+  if (f.cells_per_texture)
+    shorten(l.contact, (seen ? after : before) * *f.cells_per_texture, l.shortest,
+            seen ? "half of the shortest wave" : "a quarter of the shortest wave");
+  if (f.cells_per_texture && seen)
+  {
+    shorten(l.contact, seen->coverage.patch_cells, l.shortest, "the radius of the patches in contact");
+    shorten(l.contact, per_peak * seen->coverage.peak_cells, l.shortest, "the width of the largest peak of pressure");
+  }
+  l.zone = l.contact;
+  if (seen && seen->coverage.plastic_layers > 0)
+    shorten(l.zone, seen->coverage.plastic_layers / layers_per_cell, l.shortest,
+            "0.4 of the depth of the plastic zone");
+  return l;
+}
+
+/// @param contact  cells per contact radius; NaN for flats over a period
+/// @param seen     by the run; null before it
+std::vector<ExpectedError> expected_errors(const Facts& f, double contact, const RunTotals* seen)
+{
+  const Lengths lengths = lengths_of(f, contact, seen);
+  const bool yields =
+      seen ? seen->coverage.plastic_layers > 0 : f.can_yield && (!f.first_yield || *f.first_yield < f.approach);
   const std::optional<double> of_lower = seen ? growth_of_lower(*seen) : 1.0;
   const double of_steps = !yields && f.forgets_if_elastic ? 0.0 : error_of_steps(f);
+  const bool is_textured = f.cells_per_texture.has_value();
   std::vector<ExpectedError> errors;
   for (const Documented& d : all_documented(f))
     if ((yields || d.of == Documented::Of::elastic_contact) && (of_lower || !d.is_of_lower))
     {
-      const double from_cells =
-          d.error * std::pow(d.cells / (d.of == Documented::Of::plastic_zone ? of_zone : of_contact), d.order);
+      const bool by_zone =
+          d.of == Documented::Of::plastic_zone || (is_textured && d.of != Documented::Of::elastic_contact);
+      const double from_cells = (is_textured ? d.on_textures : 1.0) * d.error *
+                                std::pow(d.cells / (by_zone ? lengths.zone : lengths.contact), d.order);
       const double growth = d.is_of_lower ? *of_lower : 1.0;
       errors.push_back(
           {d.quantity, d.name, std::min(1.0, growth * (from_cells + d.of_steps * of_steps) + d.further), d.order});
     }
   return errors;
+}
+
+} // namespace
+
+void withhold_errors(const Facts& f, const RunTotals* seen, Resolution& r, std::vector<Warning>& warnings)
+{
+  constexpr double most = 0.5;          // larger ones say nothing
+  constexpr double fewest_of_all = 1.5; // in fewer cells a patch or a peak of pressure may be anything
+  if (!f.cells_per_texture || r.expected_errors.empty())
+    return;
+  const double contact = f.cells_per_wave ? std::numeric_limits<double>::quiet_NaN() : deciding_cells(f, r);
+  const Lengths lengths = lengths_of(f, contact, seen);
+  std::string names;
+  std::erase_if(r.expected_errors,
+                [&](const ExpectedError& e)
+                {
+                  if (e.relative <= most && lengths.contact >= fewest_of_all)
+                    return false;
+                  names += fmt::format("{}{}", names.empty() ? "" : ", ", e.quantity);
+                  return true;
+                });
+  if (names.empty())
+    return;
+  const std::string text = fmt::format(
+      "no error is stated of {}, which may be off by {} and more: the shortest length that matters, {}, has "
+      "only {:.2g} cells; use a finer grid.resolution or grid.spacing, or --accuracy",
+      names, percent_text(most), lengths.shortest, lengths.zone);
+  if (warnings.empty())
+    warnings.push_back({"coarse_texture", text});
+  else
+    warnings.back().text += "; " + text;
+}
+
+namespace
+{
+
+void set_lengths(Resolution& r, const RunTotals* seen)
+{
+  if (!seen)
+    return;
+  r.patch_cells = seen->coverage.patch_cells;
+  r.peak_cells = seen->coverage.peak_cells;
 }
 
 } // namespace
@@ -82,14 +166,19 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, const R
     cells_y = cells_x;
   if (f.cells_per_wave && !std::isnan(cells_x))
   {
-    Resolution of_patches; // without expected errors, as the tables are for single indents
+    Resolution of_patches;
     of_patches.plastic_layers = layers;
     of_patches.cells_per_wave = f.cells_per_wave;
+    of_patches.expected_errors = expected_errors(f, std::numeric_limits<double>::quiet_NaN(), seen);
+    set_lengths(of_patches, seen);
     return of_patches;
   }
   Resolution r{cells_x, cells_y, std::min(cells_x, cells_y), layers, {}};
   if (!std::isnan(r.cells))
+  {
     r.expected_errors = expected_errors(f, deciding_cells(f, r), seen);
+    set_lengths(r, seen);
+  }
   return r;
 }
 

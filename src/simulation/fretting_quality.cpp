@@ -53,7 +53,8 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
   constexpr Documented::Of elastic = Documented::Of::elastic_contact;
-  Documented heat{"heat of friction", "cycles[*].dissipation_friction_J", 0.02, 8.0, 1.0, elastic};
+  Documented heat{
+      "heat of friction", "cycles[*].dissipation_friction_J", 0.02, 8.0, 1.0, elastic, 0.0, false, 0.0, 4.0};
   const std::optional<double> across = cells_across_ring(c, plan);
   const bool is_thin = across && *across < fewest_across_ring;
   Documented slip{"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0, elastic};
@@ -62,8 +63,8 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan)
   if (is_thin)
     slip.further = f.worn_depth.further = f.temperature_rise.further = heat.further;
   if (c.kind != FrettingCase::Kind::force)
-    f.documented.push_back(
-        {"largest force along the surface", "cycles[*].max_force_N", is_thin ? 0.01 : 0.005, 8.0, 1.0, elastic});
+    f.documented.push_back({"largest force along the surface", "cycles[*].max_force_N", is_thin ? 0.01 : 0.005, 8.0,
+                            1.0, elastic, 0.0, false, 0.0, 2.5});
   f.documented.push_back(heat);
   f.documented.push_back(
       {"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, Documented::Of::plastic_zone});

@@ -31,7 +31,8 @@ struct Documented
   double of_steps = 0.0; ///< further error over that of the plastic work, if steps are few: see error_of_steps
   bool is_of_lower =
       false; ///< a dent of the lower body, whose relative error grows where the upper body has the larger dents
-  double further = 0.0; ///< further error, which depends neither on the cells nor on the steps
+  double further = 0.0;     ///< further error, which depends neither on the cells nor on the steps
+  double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
 };
 
 /// Documented::error of the temperature rise with 8 cells where surfaces stick in places: the heat arises in few cells at the rim.
@@ -58,9 +59,10 @@ struct Facts
   bool is_plane = false;       ///< nothing varies along y
   bool is_patchy =
       false; ///< the contact may lie anywhere in a period, so that its extent does not show the size of its patches
-  std::optional<double> between_ends;   ///< length of a contact that ends at the plane ends of a roller [m]
-  bool is_smooth = false;               ///< neither body has a texture
-  std::optional<double> cells_per_wave; ///< cells per shortest wave, for rough flats over a period
+  std::optional<double> between_ends;      ///< length of a contact that ends at the plane ends of a roller [m]
+  bool is_smooth = false;                  ///< neither body has a texture
+  std::optional<double> cells_per_wave;    ///< cells per shortest wave, for rough flats over a period
+  std::optional<double> cells_per_texture; ///< cells per shortest wave of any textured bodies; see roughness.hpp
   std::array<const Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
   bool is_heated = false;  ///< by friction or a source

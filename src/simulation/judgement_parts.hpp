@@ -31,7 +31,12 @@ inline constexpr double longest_share_of_radius = 0.25; ///< step over contact r
 [[nodiscard]] std::string length_text(double metres);
 
 /// Warns of textures that the cells do not resolve.
-void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
+/// @return whether one of them is lost, so that nothing can be said about errors
+bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
+
+/// Takes out of the resolution what is so uncertain on textured bodies that a number would mislead, and warns of it.
+/// @param warnings  of textures only; the last one is extended
+void withhold_errors(const Facts& facts, const RunTotals* seen, Resolution& resolution, std::vector<Warning>& warnings);
 
 /// Estimate before a run of the share of the contact that is at the shear limit of a surface: of a pressure that is that of Hertz up
 /// to the hardness. 0 where the shear has no such limit, where surfaces may stick, and without an estimate of the pressure.

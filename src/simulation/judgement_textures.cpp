@@ -12,15 +12,17 @@ namespace brinell::simulation
 namespace
 {
 
-constexpr double fewest_cells_of_dent = 4.0; ///< per radius of a dent, which is four times the radius of its hollow
+constexpr double fewest_cells_of_dent = 4.0; ///< per edge radius of a dent, to resolve the pressure on its shoulder
 constexpr double fewest_cells_of_wave = 8.0; ///< per shortest wavelength, to resolve peaks of pressure and their area
+constexpr double lost_share = 0.5;           ///< of these, with which nothing can be said about errors
 
 class OfTextures
 {
 public:
   OfTextures(const Facts& facts, std::vector<Warning>& warnings) : f_(facts), warnings_(warnings) {}
 
-  void tell()
+  /// @return whether a texture is lost
+  bool tell()
   {
     for (std::size_t body = 0; body < f_.textures.size(); ++body)
     {
@@ -32,28 +34,34 @@ public:
         std::visit([&](const auto& part) { of_texture(name, part); }, parts[i]);
       }
     }
+    return is_lost_;
   }
 
 private:
   void of_texture(const std::string& name, const Dent& dent)
   {
     const double cell = std::max(f_.cell[0], f_.cell[1]);
-    if (dent.radius < fewest_cells_of_dent * cell)
-      warnings_.push_back(
-          {"coarse_texture", fmt::format("{}: a {} of radius {} is not resolved by cells of {}: only its mean over "
-                                         "each cell counts; use at least {:g} cells per radius",
-                                         name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.radius),
-                                         length_text(cell), fewest_cells_of_dent)});
+    if (!(dent.edge_radius < 0.999 * fewest_cells_of_dent * cell))
+      return;
+    is_lost_ = is_lost_ || dent.edge_radius < lost_share * fewest_cells_of_dent * cell;
+    warnings_.push_back(
+        {"coarse_texture", fmt::format("{}: a {} with an edge radius of {} is not resolved by cells of {}: use at "
+                                       "least {:g} cells per edge radius",
+                                       name, dent.depth < 0.0 ? "bump" : "dent", length_text(dent.edge_radius),
+                                       length_text(cell), fewest_cells_of_dent)});
   }
 
   void of_texture(const std::string& name, const HeightMap& map)
   {
     if (map.dx < 0.999 * f_.cell[0] || map.dy < 0.999 * f_.cell[1])
+    {
+      is_lost_ = true;
       warnings_.push_back({"coarse_texture",
                            fmt::format("{}: the points of the height map, {} x {} apart, are finer than the cells, {} "
                                        "x {}: each cell has the mean height over its area, and finer roughness is lost",
                                        name, length_text(map.dx), length_text(map.dy), length_text(f_.cell[0]),
                                        length_text(f_.cell[1]))});
+    }
     else if (const auto [wave_x, wave_y] = shortest_waves(map); rms_slope(map) > 0.0)
       of_waves(name, "measured heights with waves down to about", wave_x, wave_y);
   }
@@ -74,6 +82,7 @@ private:
     const double cells = std::min(cells_x, cells_y);
     if (!(cells < 0.999 * fewest_cells_of_wave))
       return;
+    is_lost_ = is_lost_ || cells < lost_share * fewest_cells_of_wave;
     warnings_.push_back(
         {"coarse_texture",
          fmt::format("{}: {} {} are not resolved by cells of {}{}; at least {:g} cells per shortest wave are needed "
@@ -85,13 +94,14 @@ private:
 
   const Facts& f_;
   std::vector<Warning>& warnings_;
+  bool is_lost_ = false;
 };
 
 } // namespace
 
-void warn_of_textures(const Facts& facts, std::vector<Warning>& warnings)
+bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings)
 {
-  OfTextures(facts, warnings).tell();
+  return OfTextures(facts, warnings).tell();
 }
 
 } // namespace brinell::simulation

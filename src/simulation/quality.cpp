@@ -40,11 +40,13 @@ std::optional<double> length_between_ends(const Shape& lower, const Shape& upper
   return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
-std::string errors_text(const std::vector<ExpectedError>& errors)
+/// @param measured  which of them
+std::string errors_text(const std::vector<ExpectedError>& errors, bool measured)
 {
   std::string text;
   for (const ExpectedError& e : errors)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", percent_text(e.relative), e.quantity);
+    if (e.measured.has_value() == measured)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", percent_text(e.best()), e.quantity);
   return text;
 }
 
@@ -62,7 +64,7 @@ public:
     const double deciding = deciding_cells(f_, r);
     if (deciding >= fewest_cells)
       return;
-    const std::string errors = errors_text(r.expected_errors);
+    const std::string errors = errors_text(r.expected_errors, false);
     add("coarse_contact",
         fmt::format("the contact has only {:.2g} x {:.2g} cells per radius, along x and y; at least {} are needed for "
                     "errors of a few percent{}{}. Use a finer grid.resolution or grid.spacing, or --accuracy",
@@ -238,6 +240,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.is_patchy = numerics.domain.is_periodic();
   f.between_ends = length_between_ends(lower.shape, upper.shape, numerics.domain);
   f.cells_per_wave = cells_per_wave(lower, upper, numerics.domain, f.cell[0], f.cell[1]);
+  f.cells_per_texture = cells_per_shortest_wave(lower, upper, f.cell[0], f.cell[1]);
   f.textures = {&lower.texture, &upper.texture};
   f.materials = {&lower.material, &upper.material};
   f.is_heated = is_heated(numerics, lower, upper);
@@ -258,11 +261,12 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
   std::vector<Warning> of_flow;
   Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], nullptr);
   std::vector<Warning> of_textures;
-  warn_of_textures(f, of_textures);
+  const bool has_lost_textures = warn_of_textures(f, of_textures);
   const bool has_sharp_ends = f.between_ends && f.is_smooth; // ends with a texture may be rounded by it
   // The tables are for surfaces below their shear limit, whose textures the cells resolve, and without singular pressures.
-  if (warn_of_expected_flow(f, of_flow) || !of_textures.empty() || has_sharp_ends)
+  if (warn_of_expected_flow(f, of_flow) || has_lost_textures || has_sharp_ends)
     resolution.expected_errors.clear();
+  withhold_errors(f, nullptr, resolution, of_textures);
   Judge judge(f, std::move(resolution));
   judge.of_cells();
   if (has_sharp_ends)
@@ -289,11 +293,12 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   const double cells_y = f.is_patchy ? f.half_y / f.cell[1] : 0.5 * seen.contact_rows;
   Resolution resolution = resolution_of(f, touched ? cells_x : nan, touched ? cells_y : nan, &totals);
   std::vector<Warning> of_textures;
-  warn_of_textures(f, of_textures);
+  const bool has_lost_textures = warn_of_textures(f, of_textures);
   // Rows that an end cuts may lie outside of the contact.
   const bool has_sharp_ends = f.between_ends && (seen.contact_rows + 2) * f.cell[1] >= *f.between_ends;
-  if (flows_at_surface(f, totals) || !of_textures.empty() || has_sharp_ends) // see quality_before
+  if (flows_at_surface(f, totals) || has_lost_textures || has_sharp_ends) // see quality_before
     resolution.expected_errors.clear();
+  withhold_errors(f, &totals, resolution, of_textures);
   Judge judge(f, std::move(resolution));
   judge.of_cells();
   if (has_sharp_ends)
@@ -326,8 +331,10 @@ std::string resolution_text(const Resolution& r)
   if (r.plastic_layers)
     text += *r.plastic_layers > 0 ? fmt::format(", {} layers through the plastic zone", *r.plastic_layers)
                                   : ", nothing yields";
-  if (!r.expected_errors.empty())
-    text += fmt::format("; expected errors, estimated from the convergence tables: {}", errors_text(r.expected_errors));
+  if (const std::string measured = errors_text(r.expected_errors, true); !measured.empty())
+    text += fmt::format("; errors, measured by the series of runs: {}", measured);
+  if (const std::string expected = errors_text(r.expected_errors, false); !expected.empty())
+    text += fmt::format("; expected errors, estimated from the convergence tables: {}", expected);
   return text;
 }
 

@@ -23,6 +23,10 @@ void Coverage::exchange(Archive& archive)
   archive("contact_columns", contact_columns);
   archive("contact_rows", contact_rows);
   archive("plastic_layers", plastic_layers);
+  archive("largest_contact", largest_contact);
+  archive("patch_cells", patch_cells);
+  archive("largest_pressure", largest_pressure);
+  archive("peak_cells", peak_cells);
 }
 
 void GridChange::exchange(Archive& archive)

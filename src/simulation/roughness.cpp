@@ -19,7 +19,7 @@ namespace
 struct ShortestWaves
 {
   using Lengths = std::array<double, 2>;
-  Lengths operator()(const Dent& dent) const { return {2.0 * dent.radius, 2.0 * dent.radius}; }
+  Lengths operator()(const Dent& dent) const { return {dent.wavelength(), dent.wavelength()}; }
   Lengths operator()(const HeightMap& map) const { return shortest_waves(map); }
   Lengths operator()(const Sinusoid& waves) const { return {waves.wavelength_x, waves.wavelength_y}; }
   Lengths operator()(const RandomSurface& surface) const
@@ -62,7 +62,12 @@ Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid)
 std::optional<double> cells_per_wave(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double dx,
                                      double dy)
 {
-  if (!domain.is_periodic() || !are_flat(lower, upper) || are_smooth(lower, upper))
+  return domain.is_periodic() && are_flat(lower, upper) ? cells_per_shortest_wave(lower, upper, dx, dy) : std::nullopt;
+}
+
+std::optional<double> cells_per_shortest_wave(const ShapedBody& lower, const ShapedBody& upper, double dx, double dy)
+{
+  if (are_smooth(lower, upper))
     return std::nullopt;
   double fewest = std::numeric_limits<double>::infinity();
   for (const Texture* texture : {&lower.texture, &upper.texture})

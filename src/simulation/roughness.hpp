@@ -26,6 +26,10 @@ struct Roughness
 /// @param heights   on the points of the grid; slopes are differences of neighbours, around the period where it has one.
 [[nodiscard]] Roughness roughness_of(std::span<const double> heights, const SurfaceGrid& grid);
 
+/// Cells per shortest wave of the textures; of a dent the wave is that of its profile, four edge radii. Empty for smooth bodies.
+[[nodiscard]] std::optional<double> cells_per_shortest_wave(const ShapedBody& lower, const ShapedBody& upper, double dx,
+                                                            double dy);
+
 /// Cells per shortest wave that the textures of flats over a period have, or can have (for a height map, two of its points). Such
 /// bodies touch in many patches of various sizes, for which this number replaces the cells per contact radius as a measure of
 /// resolution.

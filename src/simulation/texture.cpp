@@ -17,7 +17,7 @@ namespace
 
 double depth_of(const Dent& d, double x, double y)
 {
-  const double r = std::hypot(x - d.x, y - d.y) / d.radius;
+  const double r = std::hypot(x - d.x, y - d.y) / d.wavelength();
   return d.depth * std::pow(10.0, -10.0 * r * r) * std::cos(2.0 * std::numbers::pi * r);
 }
 
@@ -91,7 +91,7 @@ std::array<int, 2> samples_of(double length_x, double length_y, double dx, doubl
 
 std::array<int, 2> samples(const Dent& d, double dx, double dy)
 {
-  return samples_of(0.25 * d.radius, 0.25 * d.radius, dx, dy); // by the radius of the hollow
+  return samples_of(d.edge_radius, d.edge_radius, dx, dy);
 }
 
 std::array<int, 2> samples(const HeightMap& map, double dx, double dy)
@@ -172,8 +172,8 @@ constexpr double everywhere = std::numeric_limits<double>::infinity();
 TextureReach reach_of(const Dent& d)
 {
   constexpr double shoulder = 0.041; // highest of 10^(-10 r^2) (-cos(2 pi r)), at r = 0.31
-  constexpr double end = 0.5;        // of the radius: beyond, less than 4 % of the depth, and falling fast
-  return {d.depth > 0.0 ? shoulder * d.depth : -d.depth, std::abs(d.y) + end * d.radius};
+  constexpr double end = 2.0;        // edge radii: beyond, less than 4 % of the depth, and falling fast
+  return {d.depth > 0.0 ? shoulder * d.depth : -d.depth, std::abs(d.y) + end * d.edge_radius};
 }
 
 TextureReach reach_of(const HeightMap& map)
@@ -241,47 +241,6 @@ Reason against(const RandomSurface& surface, double size_x, double size_y)
 }
 
 } // namespace
-
-double rms_slope(const HeightMap& map)
-{
-  double sum = 0.0;
-  std::size_t count = 0;
-  const auto add = [&](std::size_t here, std::size_t next, double distance)
-  {
-    const double slope = (map.heights[next] - map.heights[here]) / distance;
-    sum += slope * slope;
-    ++count;
-  };
-  const auto nx = static_cast<std::size_t>(map.nx), ny = static_cast<std::size_t>(map.ny);
-  for (std::size_t j = 0; j < ny; ++j)
-    for (std::size_t i = 0; i < nx; ++i)
-    {
-      if (i + 1 < nx)
-        add(j * nx + i, j * nx + i + 1, map.dx);
-      if (j + 1 < ny)
-        add(j * nx + i, j * nx + i + nx, map.dy);
-    }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
-}
-
-std::array<double, 2> shortest_waves(const HeightMap& map)
-{
-  const auto along = [&](int count, std::ptrdiff_t stride, int lines, std::ptrdiff_t next_line, double spacing)
-  {
-    double first = 0.0, second = 0.0; // squares of the differences
-    for (int line = 0; line < lines; ++line)
-      for (int i = 0; i + 2 < count; ++i)
-      {
-        const double* h = map.heights.data() + line * next_line + i * stride;
-        first += 0.5 * (std::pow(h[stride] - h[0], 2) + std::pow(h[2 * stride] - h[stride], 2));
-        second += std::pow(h[2 * stride] - 2.0 * h[stride] + h[0], 2);
-      }
-    if (!(second > 0.0))
-      return std::numeric_limits<double>::infinity();
-    return std::numbers::pi * spacing / std::asin(std::min(1.0, 0.5 * std::sqrt(second / first)));
-  };
-  return {along(map.nx, 1, map.ny, map.nx, map.dx), along(map.ny, map.nx, map.nx, 1, map.dy)};
-}
 
 double depth(const Texture& texture, double x, double y)
 {

@@ -29,7 +29,7 @@ struct Waviness
 
 Waviness waviness_of(const Dent& dent)
 {
-  return {dent.x, dent.radius};
+  return {dent.x, dent.wavelength()};
 }
 Waviness waviness_of(const HeightMap& map)
 {

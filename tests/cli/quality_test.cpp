@@ -83,7 +83,7 @@ TEST_F(QualityOfRuns, WarningsAreToldAlsoWhenQuiet)
   EXPECT_EQ(keys_of({"grid.resolution=3"}), Keys{"coarse_contact"});
   EXPECT_EQ(keys_of({"lower.material.hardening.yield_stress=20 GPa"}), Keys{"no_yield"});
   EXPECT_EQ(keys_of({"solver.contact_tolerance=0.05"}), Keys{"loose_tolerance"});
-  EXPECT_EQ(keys_of({"lower.texture={type=\"bump\", height=\"1 nm\", radius=\"2 um\", x=\"50 um\"}"}),
+  EXPECT_EQ(keys_of({"lower.texture={type=\"bump\", height=\"1 nm\", edge_radius=\"0.5 um\", x=\"50 um\"}"}),
             Keys{"coarse_texture"});
   const Keys hard = keys_of({"indentation.load=[\"2000 N\", 0]", "grid.resolution=6", "grid.extent=1.4"});
   EXPECT_EQ(std::count(hard.begin(), hard.end(), "large_strain"), 1);
@@ -203,12 +203,33 @@ TEST_F(QualityOfRuns, AccuracyRunsASeries)
     EXPECT_LE(number.at("relative_error").get<double>(), 0.4) << name;
   }
   EXPECT_EQ(accuracy.at("numbers").at("indents[0].hardness_Pa").at("value"), read.at("indents")[0].at("hardness_Pa"));
+  const Json& hardness = accuracy.at("numbers").at("indents[0].hardness_Pa");
+  const double half = hardness.at("high").get<double>() - hardness.at("value").get<double>();
+  const Json& resolution = read.at("resolution");
+  EXPECT_NEAR(resolution.at("expected_errors").at("hardness").get<double>(), half / hardness.at("value").get<double>(),
+              1e-12)
+      << "the measured error takes the place of that of the tables";
+  EXPECT_NE(resolution.at("errors_of_tables").at("hardness"), resolution.at("expected_errors").at("hardness"));
+  EXPECT_NE(series.out.find("errors, measured by the series of runs: "), std::string::npos) << series.out;
+  const auto expected = series.out.find("expected errors, estimated from the convergence tables: ");
+  EXPECT_EQ(series.out.substr(std::min(expected, series.out.size())).find(" % hardness"), std::string::npos)
+      << "no second error: " << series.out;
   for (const char* file : {"history.csv", "summary.json", "result.vtkhdf", "resolved.toml"})
     EXPECT_TRUE(fs::exists(folder() / "out" / file)) << file;
   EXPECT_TRUE(fs::exists(folder() / "out" / "accuracy" / "2" / "summary.json"));
   EXPECT_FALSE(fs::exists(folder() / "out" / "accuracy" / "3"));
   EXPECT_EQ(file_text(folder() / "out" / "resolved.toml"),
             file_text(folder() / "out" / "accuracy" / "1" / "resolved.toml"));
+}
+
+TEST_F(QualityOfRuns, AnIntervalThatContainsZeroIsTold)
+{
+  const Outcome series = run({"run", "case.toml", "-o", "out", "--set", "grid.resolution=3", "--set",
+                              "lower.material.hardening={law=\"none\"}", "--accuracy", "40%"});
+  ASSERT_EQ(series.exit_code, 0) << series.err;
+  EXPECT_NE(series.out.find("indents[0].residual_depth_m: the interval contains zero"), std::string::npos)
+      << series.out;
+  EXPECT_EQ(series.out.find("indents[0].hardness_Pa: the interval"), std::string::npos) << series.out;
 }
 
 TEST_F(QualityOfRuns, AnAccuracyThatIsMissedIsTold)

@@ -55,7 +55,8 @@ std::string scenario_case(const std::string& scenario)
         "scenario = \"rolling\"\n[rolling]\napproach = \"1 um\"\ndistance = \"0.3 mm\"\nslide_to_roll = 0.3\n"
         "load_steps = 3\n" +
             std::string(bodies),
-        "{type = \"flat\"}", "{type = \"flat\"}\ntexture = {type = \"dent\", depth = \"0.5 um\", radius = \"0.1 mm\"}");
+        "{type = \"flat\"}",
+        "{type = \"flat\"}\ntexture = {type = \"dent\", depth = \"0.5 um\", edge_radius = \"25 um\"}");
   if (scenario == "growing") // grids too small for the second half of the way down
     return replaced("scenario = \"indentation\"\n[indentation]\nload = [\"60 N\", 0]\nsteps = 12\n" +
                         std::string(bodies),

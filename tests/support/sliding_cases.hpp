@@ -38,7 +38,7 @@ inline SlidingCase ball()
 {
   SlidingCase c;
   c.lower = {Plane{}, soft_steel};
-  c.lower.texture = Dent{10e-6, 0.0, 0.1e-6, 30e-6};
+  c.lower.texture = Dent{10e-6, 0.0, 0.1e-6, 7.5e-6};
   c.upper = {Paraboloid{1e-3, 1e-3}, hard_steel};
   c.press = {contact::Drive::Kind::load, 2.0};
   c.press_steps = 1;

@@ -90,7 +90,7 @@ TEST(GrowingGrids, TuggingOverABump)
 {
   simulation::TuggingCase t = small_case(6.0);
   const double a = simulation::plan(t).elastic_contact_radius;
-  t.lower.texture = simulation::Dent{.x = 0.5 * a, .depth = -0.3 * t.interference, .radius = 2.0 * a};
+  t.lower.texture = simulation::Dent{.x = 0.5 * a, .depth = -0.3 * t.interference, .edge_radius = 0.5 * a};
   expect_equal_totals("tugging over a bump", with_extent(t, 0.5).summary, with_extent(t, 1.5).summary);
 }
 
@@ -98,7 +98,7 @@ TEST(GrowingGrids, RollingWithSlidingOverADent)
 {
   simulation::RollingCase c = ball_on_flat(track_steel(2e9), 5.2e9, 0.6e-3);
   c.upper.material = track_steel(10e9);
-  c.lower.texture = simulation::Dent{.x = 0.05e-3, .depth = 1e-6, .radius = 0.4e-3};
+  c.lower.texture = simulation::Dent{.x = 0.05e-3, .depth = 1e-6, .edge_radius = 0.1e-3};
   c.slide_to_roll = 0.25;
   c.resolution = 3.0;
   c.load_steps = 4;

@@ -157,10 +157,10 @@ TEST(OffsetTugging, TexturesAreMetBesideTheTop)
     EXPECT_NEAR(closest.y_lower, t.offset / 2.4, 2e-3 * closest.y_lower); // the arc is the offset's share, R1/(R1 + R2)
     EXPECT_NEAR(closest.y_upper, -t.offset * 1.4 / 2.4, -2e-3 * closest.y_upper);
     simulation::ShapedBody& body = on_upper ? t.upper : t.lower;
-    const double radius = 0.08, depth = 5e-4;
-    body.texture = simulation::Dent{0.0, on_upper ? closest.y_upper : closest.y_lower, depth, radius};
+    const double edge = 0.02, depth = 5e-4;
+    body.texture = simulation::Dent{0.0, on_upper ? closest.y_upper : closest.y_lower, depth, edge};
     const TuggingRun beside = computed(t);
-    body.texture = simulation::Dent{0.0, 0.0, depth, radius};
+    body.texture = simulation::Dent{0.0, 0.0, depth, edge};
     const TuggingRun far = computed(t);
     t.offset = 0.0;
     t.interference = closest.interference;

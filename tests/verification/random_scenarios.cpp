@@ -201,7 +201,7 @@ simulation::RollingCase random_rolling(Draw& draw)
   if (draw.chance(0.3))
     c.lower.texture =
         simulation::Dent{a * draw.between(-1.0, 1.0), a * draw.between(-1.0, 1.0),
-                         draw.between(-0.3, 0.6) * a * a / size_of(c.upper.shape), a * draw.between(0.7, 3.0)};
+                         draw.between(-0.3, 0.6) * a * a / size_of(c.upper.shape), 0.25 * a * draw.between(0.7, 3.0)};
   return c;
 }
 

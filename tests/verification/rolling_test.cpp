@@ -152,7 +152,7 @@ TEST(Rolling, ResistanceIsTheEnergyTakenUpPerLength)
   RollingCase dented = ball_on_flat(track_steel(10e9), 3.5 * k, 1e-3);
   dented.resolution = 4.0;
   const double a = simulation::plan(dented).half_width_x;
-  dented.lower.texture = simulation::Dent{0.15e-3, 0.0, 8e-6, 1.5 * a};
+  dented.lower.texture = simulation::Dent{0.15e-3, 0.0, 8e-6, 0.375 * a};
   EXPECT_FALSE(computed(dented).summary.passes[0].is_steady());
 }
 
@@ -276,7 +276,7 @@ TEST(Rolling, ADentIsFlattenedAndRaisesThePressure)
   c.resolution = 10.0;
   c.passes = 2;
   const double a = simulation::plan(c).half_width_x;
-  c.lower.texture = simulation::Dent{0.0, 0.0, 8e-6, 0.8 * a};
+  c.lower.texture = simulation::Dent{0.0, 0.0, 8e-6, 0.2 * a};
   const RollingRun run = computed(c);
   double peak = 0.0;
   for (const RollingRecord& r : run.history)
@@ -290,9 +290,8 @@ TEST(Rolling, ADentIsFlattenedAndRaisesThePressure)
   const double depth = (largest / (s.nx * s.ny) + 0.5) * body.grid.dz;
   const double x = body.x0 + largest % s.nx * s.dx;
   const double y = body.y0 + largest / s.nx % s.ny * s.dy;
-  test::expect_within("largest plastic strain: distance from the dent's centre over its radius",
-                      std::hypot(x, y) / (0.8 * a), 0.25, 0.5,
-                      "trend: under the shoulder, from its foot at a quarter of the radius outwards");
+  test::expect_within("largest plastic strain: distance from the dent's centre over its edge radius",
+                      std::hypot(x, y) / (0.2 * a), 1.0, 2.0, "trend: under the shoulder, from the edge outwards");
   test::expect_within("largest plastic strain: depth over a", depth / a, 0.0, 0.35,
                       "trend: closer to the surface than Hertz' 0.48");
   test::expect_within("dissipation in pass 2 / pass 1",

@@ -29,7 +29,7 @@ double contact_radius(double interference_ratio)
 /// Of `share` of the interference in height, with its middle at x on the body.
 Dent bump(double interference_ratio, double share, double x, double radius)
 {
-  return {.x = x, .depth = -share * interference_ratio * critical().interference, .radius = radius};
+  return {.x = x, .depth = -share * interference_ratio * critical().interference, .edge_radius = 0.25 * radius};
 }
 
 /// Square cells, `cells` of them per contact radius, and few layers.
@@ -65,7 +65,7 @@ TEST(TexturedTugging, WithoutHeightItIsSmooth)
   TuggingCase t = small_case(4.0);
   t.upper.shape = ball(1.3);
   const TuggingRun smooth = computed(t);
-  t.lower.texture = Dent{.depth = 0.0, .radius = 0.02};
+  t.lower.texture = Dent{.depth = 0.0, .edge_radius = 0.005};
   t.upper.texture = simulation::sampled([](double, double) { return 0.0; }, 21, 11, 0.01, 0.01);
   const TuggingRun flat = computed(t);
   ASSERT_EQ(smooth.history.size(), flat.history.size());

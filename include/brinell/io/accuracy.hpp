@@ -50,6 +50,10 @@ struct Accuracy
 /// Estimates from two levels or more.
 [[nodiscard]] Accuracy accuracy_of(const Case& c, std::vector<Level> levels);
 
+/// Replaces the errors that are expected of a run by those that the series has measured, relative to the largest value of each
+/// quantity, as the expected ones are.
+void take_measured_errors(const Accuracy& accuracy, simulation::Resolution& resolution);
+
 /// A clause for the warning: the key number with the largest error, and how to reduce it.
 [[nodiscard]] std::string accuracy_advice(const Case& c, const Accuracy& accuracy);
 

@@ -27,8 +27,11 @@ struct ExpectedError
   std::string quantity; ///< "net energy"
   std::string
       name; ///< pattern for the numbers' names in the summary, * matches anything: "residual.max_*_m"; may be empty
-  double relative = 0.0; ///< error relative to the value, at most 1
-  double order = 2.0;    ///< of the error in the size of the cells
+  double relative = 0.0;            ///< error relative to the value, at most 1
+  double order = 2.0;               ///< of the error in the size of the cells
+  std::optional<double> measured{}; ///< the same by a series of runs of this case, instead of estimated from the tables
+
+  [[nodiscard]] double best() const { return measured.value_or(relative); }
 };
 
 /// Resolution of the cells, and errors found with the same resolution in the convergence tables of docs/verification/accuracy.md.
@@ -43,6 +46,8 @@ struct Resolution
   /// For rough flats over a period: cells per shortest wave (for a height map, two of its points). Their contact consists of many
   /// patches without a common radius (NaN above), and the tables, which are for single indents, do not apply.
   std::optional<double> cells_per_wave{};
+  std::optional<double> patch_cells{};          ///< see Coverage; none before a run
+  std::optional<double> peak_cells{};           ///< see Coverage; none before a run
   std::vector<ExpectedError> expected_errors{}; ///< without plastic strain only those of elastic contacts
 };
 

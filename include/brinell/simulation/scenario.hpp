@@ -121,6 +121,14 @@ struct Coverage
 {
   int contact_columns = 0, contact_rows = 0; ///< largest extent of the contact in one step
   int plastic_layers = 0;                    ///< depth of the plastic zone, in the body that has yielded more
+  int largest_contact = 0;                   ///< cells in contact when their number last grew by a quarter
+  /// Radius of the patches in cells when the contact was about largest: 4/pi times half of the mean chord along the shorter axis,
+  /// which is the radius of a round contact; of a contact along a whole line half of its mean width. 0 without contact.
+  double patch_cells = 0.0;
+  double largest_pressure = 0.0; ///< [Pa]
+  /// Radius of the paraboloid of the largest pressure in cells, from its neighbours along the axis where it falls faster: that of
+  /// the contact for a pressure by Hertz, less if it stands on an asperity or a rim. 0 without contact.
+  double peak_cells = 0.0;
 
   void exchange(Archive& archive);
 };

@@ -57,9 +57,9 @@ const std::vector<Option<Texture>>& texture_options()
   using namespace simulation;
   static const std::vector<Option<Texture>> options{
       {"smooth", {}, [](Number) { return Texture{}; }},
-      {"dent", {"x", "y", "depth", "radius"}, product_of<Texture, Dent, 0, 1, 2, 3>, "ville1999"},
+      {"dent", {"x", "y", "depth", "edge_radius"}, product_of<Texture, Dent, 0, 1, 2, 3>, "ville1999"},
       {"bump",
-       {"x", "y", "height", "radius"},
+       {"x", "y", "height", "edge_radius"},
        [](Number x) -> Texture {
          return Dent{x[0], x[1], -x[2], x[3]};
        },

@@ -65,10 +65,11 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
          key, last, 100.0 * last);
 }
 
-/// Root mean square slope of a part of a texture that is given by numbers; of a dent the ratio of depth to radius.
+/// Root mean square slope of a part of a texture that is given by numbers; of a dent the ratio of depth to edge radius, which is the slope of its flank
+/// to 20 %.
 double steepness(const simulation::Dent& dent)
 {
-  return std::abs(dent.depth) / dent.radius;
+  return std::abs(dent.depth) / dent.edge_radius;
 }
 double steepness(const simulation::Sinusoid& waves)
 {

@@ -2,6 +2,7 @@
 #include "height_header.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "io/pattern.hpp"
 #include "io/text.hpp"
 #include "measured_files.hpp"
 
@@ -9,7 +10,7 @@
 #include <cctype>
 #include <charconv>
 #include <fmt/format.h>
-#include <regex>
+#include <sstream>
 #include <toml++/toml.h>
 
 namespace brinell::io
@@ -155,26 +156,26 @@ struct Title
 
 std::optional<Title> title_of(std::string_view cell)
 {
-  static const std::regex form(
+  static const Pattern form(
       R"(([xyz])[ \t]*(?:[-_ ]?(?:coordinate|position|pos|axis|height))?[ \t]*(?:[\[(/][ \t]*([^\])]+?)[ \t]*[\])]?)?)",
-      std::regex::icase);
-  std::match_results<std::string_view::const_iterator> match;
-  if (!std::regex_match(cell.begin(), cell.end(), match, form))
+      true);
+  const auto match = form.match(cell);
+  if (!match)
     return std::nullopt;
-  return Title{static_cast<char>(std::tolower(static_cast<unsigned char>(match.str(1)[0]))), match.str(2)};
+  return Title{static_cast<char>(std::tolower(static_cast<unsigned char>(match->group(0)[0]))), match->group(1)};
 }
 
 /// Titles x, y, z of three columns; units, if there are any, become those of the header.
 bool add_titles(const InputLine& line, HeightHeader& header)
 {
-  static const std::regex separator(R"([ \t]*[,;\t][ \t]*|[ \t]+(?=[xyzXYZ]))");
+  static const Pattern separator(R"([ \t]*[,;\t][ \t]*|[ \t]+(?=[xyzXYZ]))");
   const std::string text(trimmed(line.text, " \t#\r"));
   if (text.empty() || std::tolower(static_cast<unsigned char>(text[0] == '"' ? text[1] : text[0])) != 'x')
     return false;
   std::vector<Title> titles;
-  for (auto cell = std::sregex_token_iterator(text.begin(), text.end(), separator, -1);
-       cell != std::sregex_token_iterator(); ++cell)
-    if (const std::string word = cell->str(); const auto title = title_of(trimmed(word, " \t\"")))
+  std::istringstream cells(separator.replaced(text, "\n"));
+  for (std::string cell; std::getline(cells, cell);)
+    if (const auto title = title_of(trimmed(cell, " \t\"")))
       titles.push_back(*title);
     else
       return false;

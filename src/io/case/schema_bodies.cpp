@@ -179,8 +179,9 @@ Entries texture_entries(const std::string& table)
                 .choices = names_of(texture_options()),
                 .fallback = "smooth",
                 .text =
-                    "Texture of the surface, fixed to the material. dent: depth 10^(-10 (r/radius)^2) cos(2 pi "
-                    "r/radius), with a shoulder; bump: the same upwards; height_map: measured heights, or those of a "
+                    "Texture of the surface, fixed to the material. dent: depth 10^(-10 (r/w)^2) cos(2 pi r/w) "
+                    "with w = 4 edge_radius, with a shoulder; bump: the same upwards; height_map: measured heights, or "
+                    "those of a "
                     "function of x and y; sinusoid: waves with the height amplitude cos(2 pi (X - x)/wavelength_x) "
                     "cos(2 pi (Y - y)/wavelength_y) at X, Y; random: Gaussian self-affine roughness, with a power "
                     "spectral density that is constant for wavelengths above rolloff and falls as q^(-2 (1 + hurst)) "
@@ -188,8 +189,10 @@ Entries texture_entries(const std::string& table)
                     "as a list; --set then names one as lower.texture[0].type."},
                length("depth", "Depth of the dent's centre."),
                length("height", "Height of the bump's centre."),
-               length("radius",
-                      "Wavelength of the profile, which crosses the undisturbed surface at a quarter of this length."),
+               length("edge_radius",
+                      "Radius at which a dent or a bump crosses the undisturbed surface, half of the diameter that is "
+                      "read from a profile at its level. Half of the depth is at half of this radius, the crest of the "
+                      "shoulder, 4 % of the depth high, at 1.26 times this radius."),
            }),
        map_entries(table), wave_entries(table), random_entries(table),
        in_table(

@@ -50,6 +50,18 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best;
 }
 
+/// Why a key that meant something else is refused; empty for any other key.
+std::string retired(std::string_view key)
+{
+  if (!plain_key(key).ends_with(".texture.radius"))
+    return "";
+  const std::string table(split(key).first);
+  return fmt::format("a dent or bump has {0}.edge_radius, at which it crosses the undisturbed surface; the earlier "
+                     "radius was the wavelength of its profile: edge_radius = 0.25 x radius. Half of the depth is at "
+                     "0.124 x radius, the crest of the shoulder at 0.315 x radius",
+                     table);
+}
+
 /// A key with the same last part in another table, preferably in the same top-level table, else in the table of the scenario.
 std::string misplaced(std::string_view key, std::string_view scenario)
 {
@@ -115,6 +127,8 @@ std::string suggestion(std::string_view unknown_key, std::string_view scenario)
   const auto [parent, name] = split(unknown_key);
   if (!parent.empty() && !is_table(parent)) // the error is in the name of the table
     return suggestion(parent, scenario);
+  if (std::string why = retired(unknown_key); !why.empty())
+    return why;
   const std::string near = nearest(name, children(parent));
   if (!near.empty())
     return fmt::format("did you mean {}{}{}?", parent, parent.empty() ? "" : ".", near);

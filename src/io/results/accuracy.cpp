@@ -121,20 +121,20 @@ double scale_of_number(const std::string& name, const std::map<std::string_view,
   return name.starts_with("load_ratio") ? ratio : strain;
 }
 
+/// Whether the name of a number fits a pattern of an expected error.
+bool matches(std::string_view name, std::string_view pattern)
+{
+  const auto star = pattern.find('*');
+  return star == pattern.npos ? !pattern.empty() && name == pattern
+                              : name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
+}
+
 /// Expected error of a number and its order, from the tables that also give the expected errors of every run; none without an entry.
 simulation::ExpectedError expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
 {
-  for (const simulation::ExpectedError& error : errors)
-  {
-    const std::string& pattern = error.name;
-    const auto star = pattern.find('*');
-    const bool matches = star == pattern.npos
-                             ? !pattern.empty() && name == pattern
-                             : name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
-    if (matches)
-      return error;
-  }
-  return {};
+  const auto found =
+      std::find_if(errors.begin(), errors.end(), [&](const auto& error) { return matches(name, error.name); });
+  return found == errors.end() ? simulation::ExpectedError{} : *found;
 }
 
 /// Expected errors of a run of the series: those that it has stated itself, which know the contact as it was, otherwise those before
@@ -157,7 +157,10 @@ Level level_of(const std::string& summary, double cells)
 {
   const Json json = Json::parse(summary);
   return {cells, json.at("grid").at("spacing_m").get<Vector3>(), numbers_of(summary),
-          json.value("/resolution/expected_errors"_json_pointer, std::map<std::string, double>{})};
+          json.value(json.contains("/resolution/errors_of_tables"_json_pointer)
+                         ? "/resolution/errors_of_tables"_json_pointer
+                         : "/resolution/expected_errors"_json_pointer,
+                     std::map<std::string, double>{})};
 }
 
 Numbers numbers_of(const std::string& summary)
@@ -214,6 +217,22 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
   accuracy.reached = !accuracy.key_numbers.empty() && accuracy.error <= accuracy.asked;
   accuracy.levels = std::move(levels);
   return accuracy;
+}
+
+void take_measured_errors(const Accuracy& accuracy, simulation::Resolution& resolution)
+{
+  for (simulation::ExpectedError& error : resolution.expected_errors)
+  {
+    double size = 0.0, width = 0.0;
+    for (const auto& [name, number] : accuracy.numbers)
+      if (matches(name, error.name))
+      {
+        size = std::max(size, std::abs(number.value));
+        width = std::max(width, number.high - number.value);
+      }
+    if (size > 0.0)
+      error.measured = width / size;
+  }
 }
 
 std::string accuracy_advice(const Case& c, const Accuracy& accuracy)

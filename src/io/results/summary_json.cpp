@@ -193,15 +193,24 @@ Json resolution_json(const simulation::Resolution& r)
                {"cells_per_contact_radius_y", r.cells_y},
                {"cells_per_shortest_wave", nullptr},
                {"layers_of_plastic_zone", nullptr},
+               {"cells_per_patch_radius", nullptr},
+               {"cells_per_peak_radius", nullptr},
                {"expected_errors", Json::object()},
                {"text", simulation::resolution_text(r)},
                {"source", "estimate from the convergence tables of brinell, docs/verification.md"}};
   if (r.cells_per_wave)
     json["cells_per_shortest_wave"] = *r.cells_per_wave;
+  if (r.patch_cells)
+    json["cells_per_patch_radius"] = *r.patch_cells;
+  if (r.peak_cells)
+    json["cells_per_peak_radius"] = *r.peak_cells;
   if (r.plastic_layers)
     json["layers_of_plastic_zone"] = *r.plastic_layers;
   for (const simulation::ExpectedError& e : r.expected_errors)
-    json["expected_errors"][e.quantity] = e.relative;
+    json["expected_errors"][e.quantity] = e.best();
+  if (std::any_of(r.expected_errors.begin(), r.expected_errors.end(), [](const auto& e) { return e.measured; }))
+    for (const simulation::ExpectedError& e : r.expected_errors)
+      json["errors_of_tables"][e.quantity] = e.relative;
   return json;
 }
 

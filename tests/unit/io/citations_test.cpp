@@ -114,10 +114,10 @@ TEST(Citations, FollowSolverTextureAndPasses)
   EXPECT_TRUE(euler.contains("johnson1985")) << "shakedown in two passes";
   EXPECT_FALSE(keys(rolling({perfect, "rolling.passes=1"})).contains("johnson1985"));
   EXPECT_FALSE(keys(rolling()).contains("ville1999"));
-  EXPECT_TRUE(
-      keys(rolling({R"(lower.texture={type = "dent", depth = "1 um", radius = "50 um"})"})).contains("ville1999"));
+  EXPECT_TRUE(keys(rolling({R"(lower.texture={type = "dent", depth = "1 um", edge_radius = "12.5 um"})"}))
+                  .contains("ville1999"));
   const auto both =
-      keys(rolling({R"(lower.texture=[{type = "dent", depth = "1 um", radius = "50 um"}, {type = "random", )"
+      keys(rolling({R"(lower.texture=[{type = "dent", depth = "1 um", edge_radius = "12.5 um"}, {type = "random", )"
                     R"(rms_height = 1e-7, rolloff = 1e-4, cutoff = 5e-5}])"}));
   EXPECT_TRUE(both.contains("ville1999") && both.contains("jacobs2017"));
 }

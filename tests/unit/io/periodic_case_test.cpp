@@ -202,7 +202,7 @@ TEST(PeriodicCase, TexturesThatDoNotFitThePeriod)
 )",
                              "pressure = [\"1 MPa\"]", grid),
                  18, {"upper.texture does not fit the period", "the wavelength of 0.002 m", "0.001 m"});
-  expect_refused(indentation(shape + R"(texture = {type = "dent", depth = "1 um", radius = "3 mm"}
+  expect_refused(indentation(shape + R"(texture = {type = "dent", depth = "1 um", edge_radius = "0.75 mm"}
 )",
                              "pressure = [\"1 MPa\"]", grid),
                  18, {"upper.texture does not fit the period", "beyond the period of 0.001 x 0.001 m"});

@@ -183,8 +183,8 @@ TEST(ScenarioCase, TuggingTakesWhatCanPassAndAnyTexture)
   const std::string roller = "shape={type=\"cylinder\", radius=1, length=\"0.15 m\"}";
   EXPECT_EQ(tugging(with({"lower." + roller, "upper." + roller, "grid.spacing=[5e-3, \"50 mm\", 2e-3]"})).upper.shape,
             simulation::Shape(simulation::Roller{1.0, 0.15}));
-  EXPECT_EQ(tugging({"lower.texture={type=\"dent\", depth=\"1 mm\", radius=\"40 mm\"}"}).lower.texture,
-            simulation::Texture(simulation::Dent{0.0, 0.0, 1e-3, 40e-3}));
+  EXPECT_EQ(tugging({"lower.texture={type=\"dent\", depth=\"1 mm\", edge_radius=\"10 mm\"}"}).lower.texture,
+            simulation::Texture(simulation::Dent{0.0, 0.0, 1e-3, 10e-3}));
   // Without one radius for all directions there is no unit of first yield.
   EXPECT_NE(refusal(text, {ellipsoid})
                 .find("tugging.interference = 9 is in units of the critical interference alpha_c, "
@@ -221,9 +221,9 @@ TEST(ScenarioCase, ShapesAndTextures)
   EXPECT_THROW(static_cast<void>(shaped("{type=\"cone\", half_angle=\"2 rad\"}")), InputError); // above 90 degrees
   EXPECT_EQ(std::get<simulation::Pyramid>(shaped("{type=\"berkovich\"}")).faces, 3);
   const auto bump = read<RollingCase>(rolling("load = 5\ndistance = 1e-4\n"),
-                                      {"lower.texture={type=\"bump\", height=\"1 um\", radius=\"40 um\", x=2e-5}"})
+                                      {"lower.texture={type=\"bump\", height=\"1 um\", edge_radius=\"10 um\", x=2e-5}"})
                         .lower.texture;
-  EXPECT_EQ(bump, simulation::Texture(simulation::Dent{2e-5, 0.0, -1e-6, 40e-6}));
+  EXPECT_EQ(bump, simulation::Texture(simulation::Dent{2e-5, 0.0, -1e-6, 10e-6}));
 }
 
 TEST(ScenarioCase, HeightMapsComeFromAFile)

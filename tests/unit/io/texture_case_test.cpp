@@ -4,6 +4,7 @@
 #include "io/npy.hpp"
 #include "sample.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -87,31 +88,33 @@ TEST(TextureCase, WavesAndRoughness)
 
 TEST(TextureCase, SeveralAddUp)
 {
-  const Texture both(std::vector<simulation::TexturePart>{Dent{0.0, 0.0, 1e-6, 40e-6},
+  const Texture both(std::vector<simulation::TexturePart>{Dent{0.0, 0.0, 1e-6, 10e-6},
                                                           Sinusoid{.amplitude = 1e-7, .wavelength_x = 5e-5}});
   const std::string tables = R"([[lower.texture]]
 type = "dent"
 depth = "1 um"
-radius = "40 um"
+edge_radius = "10 um"
 [[lower.texture]]
 type = "sinusoid"
 amplitude = "0.1 um"
 wavelength_x = "50 um"
 )";
-  const std::string list = R"(texture = [{type = "dent", depth = 1e-6, radius = 4e-5}, )"
+  const std::string list = R"(texture = [{type = "dent", depth = 1e-6, edge_radius = 1e-5}, )"
                            R"({type = "sinusoid", amplitude = 1e-7, wavelength_x = 5e-5}])";
   EXPECT_EQ(texture(tables), both);
   EXPECT_EQ(texture(list), both);
   EXPECT_EQ(texture("", {"lower." + list}), both) << "by --set";
-  EXPECT_EQ(texture(R"(texture = {type = "bump", height = 1, radius = 1})", {"lower." + list}), both) << "in its place";
-  EXPECT_EQ(texture(list, {R"(lower.texture={type = "dent", depth = 1e-6, radius = 4e-5})"}),
-            Texture(Dent{0.0, 0.0, 1e-6, 40e-6}));
+  EXPECT_EQ(texture(R"(texture = {type = "bump", height = 1, edge_radius = 0.25})", {"lower." + list}), both)
+      << "in its place";
+  EXPECT_EQ(texture(list, {R"(lower.texture={type = "dent", depth = 1e-6, edge_radius = 1e-5})"}),
+            Texture(Dent{0.0, 0.0, 1e-6, 10e-6}));
   EXPECT_EQ(texture("texture = []"), Texture());
   EXPECT_EQ(texture(R"(texture = [{type = "smooth"}])"), Texture());
   // One of them.
   EXPECT_EQ(std::get<Dent>(texture(list, {"lower.texture[0].depth=2e-6"}).parts.at(0)).depth, 2e-6);
   EXPECT_EQ(
-      std::get<Dent>(texture(list, {R"(lower.texture[1]={type="bump", height=3e-6, radius=1e-5})"}).parts.at(1)).depth,
+      std::get<Dent>(texture(list, {R"(lower.texture[1]={type="bump", height=3e-6, edge_radius=2.5e-6})"}).parts.at(1))
+          .depth,
       -3e-6);
   // The resolved case stands for itself.
   const Case c = parse_case(head + tables, "sample.toml");
@@ -122,7 +125,7 @@ wavelength_x = "50 um"
 
 TEST(TextureCase, ErrorsNameLineAndKey)
 {
-  const std::string tables = "[[lower.texture]]\ntype = \"dent\"\ndepth = \"1 um\"\nradius = \"40 um\"\n"
+  const std::string tables = "[[lower.texture]]\ntype = \"dent\"\ndepth = \"1 um\"\nedge_radius = \"10 um\"\n"
                              "[[lower.texture]]\ntype = \"sinusoid\"\namplitude = \"0.1 um\"\n";
   expect_refused(refusal(tables), "sample.toml:16: lower.texture[1].type = \"sinusoid\" needs "
                                   "lower.texture[1].wavelength_x or lower.texture[1].wavelength_y");
@@ -133,7 +136,7 @@ TEST(TextureCase, ErrorsNameLineAndKey)
   expect_refused(refusal(tables + "wavelength_x = 1e-5\ndepth = 1\n"),
                  "sample.toml:19: lower.texture[1].depth = 1 applies only with lower.texture[1].type = \"dent\"");
   expect_refused(refusal("[[lower.texture]]\ntype = \"dent\"\ndepth = 1e-6\n"),
-                 "sample.toml:11: lower.texture[0].radius is missing");
+                 "sample.toml:11: lower.texture[0].edge_radius is missing");
   expect_refused(refusal("texture = [{type = \"smooth\"}, 3]"),
                  "sample.toml:11: lower.texture[1] = 3 is an integer, but must be a table with the keys type, ");
   expect_refused(refusal("[[lower.shape]]\ntype = \"flat\"\n").substr(0, 400), "lower.shape");
@@ -169,8 +172,8 @@ TEST(TextureCase, SlopesOfAMissingUnitAreWarnedOf)
                                          .warnings;
     return std::count_if(all.begin(), all.end(), [](const Warning& w) { return w.key == "steep_texture"; });
   };
-  EXPECT_EQ(warnings(R"(texture = {type = "dent", depth = 1e-6, radius = 4e-5})"), 0);
-  EXPECT_EQ(warnings(R"(texture = {type = "dent", depth = "1 mm", radius = "600 um"})"), 1);
+  EXPECT_EQ(warnings(R"(texture = {type = "dent", depth = 1e-6, edge_radius = 1e-5})"), 0);
+  EXPECT_EQ(warnings(R"(texture = {type = "dent", depth = "1 mm", edge_radius = "150 um"})"), 1);
   EXPECT_EQ(warnings(R"(texture = {type = "sinusoid", amplitude = "0.2 um", wavelength_x = "20 um"})"), 0);
   EXPECT_EQ(warnings(R"(texture = {type = "sinusoid", amplitude = 0.2, wavelength_x = "20 um"})"), 1);
   const std::string rough = R"(texture = {type = "random", hurst = 0.8, rolloff = "20 um", cutoff = "5 um", )"
@@ -180,9 +183,21 @@ TEST(TextureCase, SlopesOfAMissingUnitAreWarnedOf)
   EXPECT_EQ(warnings(rough + "slope = 5}"), 1);
 }
 
+TEST(TextureCase, TheEarlierRadiusOfADentIsConverted)
+{
+  for (const char* kind : {R"(type = "dent", depth)", R"(type = "bump", height)"})
+    expect_refused(
+        refusal(fmt::format(R"(texture = {{{} = 1e-6, radius = "200 um"}})", kind)),
+        "lower.texture.radius = \"200 um\"; a dent or bump has lower.texture.edge_radius, at which it crosses "
+        "the undisturbed surface; the earlier radius was the wavelength of its profile: edge_radius = 0.25 x "
+        "radius. Half of the depth is at 0.124 x radius, the crest of the shoulder at 0.315 x radius");
+  const std::string list = R"(texture = [{type = "smooth"}, {type = "dent", depth = 1e-6, edge_radius = 1e-5}])";
+  expect_refused(refusal(list, {"lower.texture[1].radius=1e-4"}), "lower.texture[1].edge_radius");
+}
+
 TEST(TextureCase, OverridesThatMissTheList)
 {
-  const std::string list = R"(texture = [{type = "smooth"}, {type = "dent", depth = 1e-6, radius = 4e-5}])";
+  const std::string list = R"(texture = [{type = "smooth"}, {type = "dent", depth = 1e-6, edge_radius = 1e-5}])";
   expect_refused(refusal(list, {"lower.texture[2].type=smooth"}),
                  "--set lower.texture[2].type=smooth: lower.texture[2] does not exist: the list has 2, counted from 0");
   expect_refused(refusal(list, {"lower.texture.depth=1"}),

@@ -97,7 +97,7 @@ TEST(CellsInPeriods, OneRowTakesWhatIsUniformAlongIt)
   c = cylinder(load(1e6));
   c.lower.texture = Sinusoid{.amplitude = 1e-7, .wavelength_y = 0.5};
   expect_refused(c, "grid.cells", "lower.texture varies");
-  c.lower.texture = Dent{.depth = 1e-7, .radius = 1e-4};
+  c.lower.texture = Dent{.depth = 1e-7, .edge_radius = 0.25e-4};
   expect_refused(c, "grid.cells", "lower.texture varies");
   c.lower.texture = Sinusoid{.amplitude = 1e-7, .wavelength_x = 1e-4};
   EXPECT_NO_THROW(static_cast<void>(plan(c)));
@@ -209,7 +209,7 @@ TEST(PeriodicApproach, EndsAtTheMeanDistanceOfTheSurfaces)
   EXPECT_THROW(static_cast<void>(plan(flats(approach(1e-9)))), InputError);
   // Flats that touch all around a dent: full contact at its mean depth.
   IndentationCase dented = flats(approach(0.0));
-  dented.lower.texture = Dent{.depth = 1e-6, .radius = 0.8e-3};
+  dented.lower.texture = Dent{.depth = 1e-6, .edge_radius = 0.2e-3};
   const SurfaceGrid g = sampled_period(dented.domain);
   double mean = 0.0;
   for (const double d : sampled_depths(dented.lower.texture, g))

@@ -109,11 +109,71 @@ TEST(ExpectedErrors, OfTipsHaveNoLargestStrain)
   EXPECT_GT(error(of_cone, "residual depth"), 2.0 * error(of_ball, "residual depth"));
 }
 
+/// With a radius of the patches and of the peak of pressure in cells.
+RunTotals totals_on_texture(int layers, double patch, double peak)
+{
+  RunTotals t = totals(20, layers);
+  t.coverage.patch_cells = patch;
+  t.coverage.peak_cells = peak;
+  return t;
+}
+
+TEST(ExpectedErrors, OnATextureFollowTheShortestLengthInCells)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  const double cell = plan(c).contact.dx;
+  const auto of = [&](double edge, int layers, double patch, double peak)
+  {
+    c.lower.texture = Dent{.depth = 1e-7, .edge_radius = edge * cell};
+    return quality(c, plan(c), totals_on_texture(layers, patch, peak));
+  };
+  const double fine = error(of(20.0, 50, 20.0, 10.0), "hardness");
+  EXPECT_NEAR(error(of(5.0, 50, 20.0, 10.0), "hardness"), 2.0 * fine, 0.05 * fine) << "half of its wave, ten cells";
+  EXPECT_NEAR(error(of(20.0, 50, 10.0, 10.0), "hardness"), 2.0 * fine, 0.05 * fine) << "patches";
+  EXPECT_NEAR(error(of(20.0, 50, 20.0, 5.0), "hardness"), 2.0 * fine, 0.05 * fine) << "peak of pressure";
+  EXPECT_EQ(error(of(20.0, 25, 20.0, 10.0), "hardness"), fine) << "which does not depend on the plastic zone";
+  for (const char* quantity : {"residual depth", "plastic work", "largest plastic strain"})
+    EXPECT_GT(error(of(20.0, 25, 20.0, 10.0), quantity), 1.9 * error(of(20.0, 50, 20.0, 10.0), quantity)) << quantity;
+}
+
+TEST(ExpectedErrors, OnATextureAreWithheldWithAReasonIfTheyAreLarge)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  c.lower.texture = Dent{.depth = 1e-7, .edge_radius = 5.0 * plan(c).contact.dx};
+  const Quality q = quality(c, plan(c), totals_on_texture(4, 5.0, 3.0));
+  EXPECT_FALSE(find(q, "residual stress at a depth"));
+  EXPECT_TRUE(find(q, "hardness"));
+  ASSERT_EQ(keys(q), Keys{"coarse_texture"});
+  EXPECT_NE(q.warnings[0].text.find("no error is stated of residual stress at a depth"), std::string::npos)
+      << q.warnings[0].text;
+  EXPECT_NE(q.warnings[0].text.find("0.4 of the depth of the plastic zone, has only 1.6 cells"), std::string::npos)
+      << q.warnings[0].text;
+}
+
+TEST(ExpectedErrors, AreStatedOfRoughFlats)
+{
+  IndentationCase c;
+  c.lower = {Plane{}, {{210e9, 0.3}, constitutive::PerfectPlasticity{1e9}}};
+  c.upper = {Plane{}, {{210e9, 0.3}, {}}};
+  c.upper.texture = Sinusoid{.amplitude = 1e-6, .wavelength_x = 80e-6, .wavelength_y = 80e-6};
+  for (Domain::Axis* axis : {&c.domain.x, &c.domain.y})
+    *axis = {Boundary::periodic, 80e-6, 24};
+  c.domain.layer = 2e-6;
+  c.sequence = {{contact::Drive::Kind::load, 0.1}};
+  const Quality wide = quality(c, plan(c), totals_on_texture(20, 6.0, 6.0)),
+                narrow = quality(c, plan(c), totals_on_texture(20, 3.0, 3.0));
+  // A crest between cells instead of on one changes the largest pressure by 3.9 % and the plastic work by 5.3 %.
+  EXPECT_GT(error(wide, "largest pressure"), 0.039);
+  EXPECT_GT(error(wide, "plastic work"), 0.053);
+  EXPECT_GT(error(wide, "residual depth"), 0.044);
+  EXPECT_GT(error(narrow, "largest pressure"), 1.9 * error(wide, "largest pressure"));
+}
+
 TEST(ExpectedErrors, AreNotStatedWhereATextureIsLost)
 {
   IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
   EXPECT_FALSE(expected_quality(c, plan(c)).resolution.expected_errors.empty());
-  c.lower.texture = Dent{.depth = 1e-7, .radius = 3.5 * plan(c).contact.dy};
+  c.lower.texture = Dent{.depth = 1e-7, .edge_radius = 1.9 * plan(c).contact.dy};
   for (const Quality& q : {expected_quality(c, plan(c)), quality(c, plan(c), totals(8, 25))})
   {
     EXPECT_EQ(keys(q), Keys{"coarse_texture"});

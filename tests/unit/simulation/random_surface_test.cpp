@@ -348,7 +348,7 @@ TEST(Sinusoid, IsWhatItsFormulaSays)
 TEST(Texture, IsTheSumOfItsParts)
 {
   const Texture waves = Sinusoid{.amplitude = 1e-6, .wavelength_x = 1e-4};
-  const Texture dent = Dent{.depth = 2e-6, .radius = 1e-4};
+  const Texture dent = Dent{.depth = 2e-6, .edge_radius = 0.25e-4};
   const Texture both(std::vector<TexturePart>{waves.parts[0], dent.parts[0], RandomSurface(rough())});
   const Texture third = RandomSurface(rough());
   const SurfaceGrid grid{7, 5, 3e-6, 2e-6};
@@ -376,14 +376,15 @@ TEST(Texture, KnowsWhetherItIsPeriodic)
   EXPECT_TRUE(is_periodic(ridges, 240e-6, 1.0));
   EXPECT_FALSE(is_periodic(ridges, 230e-6, 1.0));
   EXPECT_TRUE(is_periodic(Texture{}, 1.0, 1.0));
-  EXPECT_FALSE(is_periodic(Texture(Dent{.depth = 1e-6, .radius = 1e-5}), 1.0, 1.0));
+  EXPECT_FALSE(is_periodic(Texture(Dent{.depth = 1e-6, .edge_radius = 0.25e-5}), 1.0, 1.0));
   HeightMap map{3, 2, 1e-6, 2e-6, 4e-6, 0.0, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}};
   EXPECT_FALSE(is_periodic(Texture(map), 3e-6, 4e-6));
   map.periodic = true;
   EXPECT_TRUE(is_periodic(Texture(map), 3e-6, 4e-6));
   EXPECT_FALSE(is_periodic(Texture(map), 2e-6, 4e-6));
-  EXPECT_FALSE(is_periodic(Texture(std::vector<TexturePart>{map, Dent{.depth = 1e-6, .radius = 1e-5}}), 3e-6, 4e-6));
-  const Texture bumpy(std::vector<TexturePart>{map, Dent{.depth = -1e-6, .radius = 1e-5}});
+  EXPECT_FALSE(
+      is_periodic(Texture(std::vector<TexturePart>{map, Dent{.depth = 1e-6, .edge_radius = 0.25e-5}}), 3e-6, 4e-6));
+  const Texture bumpy(std::vector<TexturePart>{map, Dent{.depth = -1e-6, .edge_radius = 0.25e-5}});
   EXPECT_EQ(reason_against_period(bumpy, 3e-6, 4e-6), "texture[1]: a bump does not repeat");
   EXPECT_EQ(reason_against_period(ridges, 230e-6, 1.0),
             "texture: the wavelength of 6e-05 m does not go a whole number of times into 0.00023 m");

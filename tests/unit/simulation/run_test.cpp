@@ -244,7 +244,7 @@ TEST(TexturedTugging, IsTakenUpAtAnyStep)
                              .size_x = 4e-4,
                              .size_y = 3e-4,
                              .seed = 4});
-  c.lower.texture = std::vector<TexturePart>{Dent{.x = -1e-5, .depth = -2e-7, .radius = 3e-5}, rough};
+  c.lower.texture = std::vector<TexturePart>{Dent{.x = -1e-5, .depth = -2e-7, .edge_radius = 0.75e-5}, rough};
   c.upper.texture =
       sampled([](double x, double y) { return 5e-8 * std::cos(1e5 * x) * std::cos(1e5 * y); }, 65, 33, 2e-6, 4e-6);
   c.passes = 2;

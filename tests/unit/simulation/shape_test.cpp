@@ -74,10 +74,16 @@ TEST(ShapeTest, TipsAreBallsThatTouchTheFlanks)
 
 TEST(ShapeTest, DentsAndHeightMaps)
 {
-  const Dent dent{1.0, 2.0, 3.0, 4.0};
+  const Dent dent{1.0, 2.0, 3.0, 1.0};
   EXPECT_NEAR(depth(dent, 1.0, 2.0), 3.0, rounding);
-  EXPECT_NEAR(depth(dent, 2.0, 2.0), 0.0, rounding) << "the surface is crossed at a quarter of the radius";
-  EXPECT_LT(depth(dent, 2.4, 2.0), 0.0) << "the shoulder";
+  EXPECT_NEAR(depth(dent, 2.0, 2.0), 0.0, rounding) << "the surface is crossed at the edge";
+  EXPECT_NEAR(depth(dent, 1.5, 2.0), 0.5 * 3.0, 0.01 * 3.0) << "half of the depth at half of the edge's radius";
+  double highest = 0.0, at = 0.0;
+  for (double r = 0.0; r < 3.0; r += 1e-3)
+    if (const double height = -depth(dent, 1.0 + r, 2.0); height > highest)
+      highest = height, at = r;
+  EXPECT_NEAR(at, 1.26, 5e-3) << "crest of the shoulder";
+  EXPECT_NEAR(highest, 0.040 * 3.0, 1e-3 * 3.0);
   HeightMap map{3, 2, 0.5, 1.0, 0.0, 0.0, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}};
   EXPECT_NEAR(depth(map, -0.5, -0.5), -1.0, rounding);
   EXPECT_NEAR(depth(map, 0.25, 0.0), -0.5 * (2.5 + 5.5), rounding);
@@ -122,13 +128,13 @@ TEST(TextureTest, SampledFunction)
 
 TEST(TextureTest, ReachHoldsAllHeights)
 {
-  const Dent dent{.x = 0.3, .y = -0.2, .depth = 2e-3, .radius = 0.1};
-  const Dent bump{.x = 0.3, .y = -0.2, .depth = -2e-3, .radius = 0.1};
+  const Dent dent{.x = 0.3, .y = -0.2, .depth = 2e-3, .edge_radius = 0.025};
+  const Dent bump{.x = 0.3, .y = -0.2, .depth = -2e-3, .edge_radius = 0.025};
   EXPECT_EQ(reach(Texture{}).height, 0.0);
   EXPECT_EQ(reach(bump).height, 2e-3);
   double highest = 0.0;
-  for (double r = 0.0; r < 1.0; r += 1e-4)
-    highest = std::max(highest, -depth(dent, 0.3 + r * dent.radius, -0.2));
+  for (double r = 0.0; r < 4.0; r += 1e-4)
+    highest = std::max(highest, -depth(dent, 0.3 + r * dent.edge_radius, -0.2));
   EXPECT_GE(reach(dent).height, highest);
   EXPECT_LE(reach(dent).height, 1.05 * highest);
   EXPECT_LT(std::abs(depth(bump, 0.3, -reach(bump).half_width_y)), 0.04 * 2e-3);
@@ -170,6 +176,41 @@ TEST(ShapeTest, ShortestWavesOfAMap)
     waves.heights[i] = i % 65 % 2 == 0 ? 1.0 : -1.0; // as fast along x as points can tell, not at all along y
   EXPECT_DOUBLE_EQ(shortest_waves(waves)[0], 2e-6);
   EXPECT_EQ(shortest_waves(waves)[1], std::numeric_limits<double>::infinity());
+}
+
+/// A sum of waves in all directions, amplitudes falling as those of a self-affine surface.
+HeightMap sum_of_waves(int points, double shortest, double exponent)
+{
+  HeightMap map{points, points, 1e-6, 1e-6, 0.0, 0.0, std::vector<double>(static_cast<std::size_t>(points * points))};
+  constexpr int count = 40;
+  for (int n = 0; n < count; ++n)
+  {
+    const double wavelength = shortest * std::pow(8.0, n / (count - 1.0));
+    const double angle = 2.4 * n, phase = 1.7 * n * n;
+    const double qx = 2.0 * pi / wavelength * std::cos(angle), qy = 2.0 * pi / wavelength * std::sin(angle);
+    for (int j = 0; j < points; ++j)
+      for (int i = 0; i < points; ++i)
+        map.heights[static_cast<std::size_t>(j * points + i)] +=
+            1e-8 * std::pow(wavelength / shortest, exponent) * std::cos(qx * i + qy * j + phase);
+  }
+  return map;
+}
+
+TEST(ShapeTest, ShortestOfManyWavesOfAMap)
+{
+  for (const double exponent : {0.0, 0.5, 1.0, 1.8})
+    for (const double shortest : {4.0, 9.0, 21.3})
+    {
+      const std::array<double, 2> found = shortest_waves(sum_of_waves(256, shortest, exponent));
+      EXPECT_NEAR(std::min(found[0], found[1]), shortest * 1e-6, 0.15 * shortest * 1e-6) << shortest << " " << exponent;
+    }
+  HeightMap noisy = sum_of_waves(256, 21.3, 1.0);
+  double size = 0.0;
+  for (const double h : noisy.heights)
+    size = std::max(size, std::abs(h));
+  for (std::size_t i = 0; i < noisy.heights.size(); ++i)
+    noisy.heights[i] += 1e-4 * size * std::cos(1.7 * static_cast<double>(i) * static_cast<double>(i));
+  EXPECT_GT(shortest_waves(noisy)[0], 15e-6) << "noise of an instrument is no roughness";
 }
 
 TEST(ShapeTest, EquivalentRadiusIsThatOfRoundPairs)

@@ -43,7 +43,7 @@ TEST(Symmetry, ShapesAreWhatTheirHeightsAre)
 
 TEST(Symmetry, TexturesAreWhatTheirDepthsAre)
 {
-  const Dent dent{.x = 0.3, .y = 0.4, .depth = 0.1, .radius = 0.8};
+  const Dent dent{.x = 0.3, .y = 0.4, .depth = 0.1, .edge_radius = 0.2};
   Dent image = dent;
   image.y = -0.4;
   Dent deeper = image;
@@ -63,7 +63,7 @@ TEST(Symmetry, TexturesAreWhatTheirDepthsAre)
   };
   const std::vector<Example> examples{{{}, true},
                                       {dent, false},
-                                      {Dent{.x = 0.3, .y = 0.0, .depth = 0.1, .radius = 0.8}, true},
+                                      {Dent{.x = 0.3, .y = 0.0, .depth = 0.1, .edge_radius = 0.2}, true},
                                       {Parts{dent, image}, true},
                                       {Parts{dent, deeper}, false},
                                       {Parts{dent, image, image}, false},
@@ -88,7 +88,7 @@ TEST(Symmetry, IsUsedOnlyWhereItHolds)
   const constitutive::Material steel{{200e9, 0.3}, constitutive::PerfectPlasticity{1e9}};
   const SurfaceGrid grid{9, 7, 0.1, 0.1};
   const ShapedBody smooth{Paraboloid{1.0, 1.0}, steel};
-  const ShapedBody dented{Plane{}, steel, Dent{.x = 0.0, .y = 0.1, .depth = 1e-6, .radius = 0.1}};
+  const ShapedBody dented{Plane{}, steel, Dent{.x = 0.0, .y = 0.1, .depth = 1e-6, .edge_radius = 0.025}};
   ShapedBody elastic = smooth;
   elastic.material.hardening.reset();
   const Numerics numerics;

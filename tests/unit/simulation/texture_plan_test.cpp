@@ -20,7 +20,7 @@ TEST(TexturePlan, TexturesOfTuggingWidenTheGridsByWhatTheyCanTouch)
   t.resolution = 6.0;
   const TuggingPlan smooth = plan(t);
   EXPECT_EQ(smooth.twin, elastoplastic::Twin::mirror_image);
-  t.lower.texture = Dent{.depth = -t.interference, .radius = 0.5};
+  t.lower.texture = Dent{.depth = -t.interference, .edge_radius = 0.125};
   const TuggingPlan rough = plan(t);
   EXPECT_EQ(rough.twin, elastoplastic::Twin::none) << "a bump has no mirror image";
   EXPECT_EQ(rough.texture_height, t.interference);
@@ -32,9 +32,9 @@ TEST(TexturePlan, TexturesOfTuggingWidenTheGridsByWhatTheyCanTouch)
   EXPECT_GT(rough.contact.ny, smooth.contact.ny);
   EXPECT_EQ(rough.contact.dx, smooth.contact.dx);
   // On a narrow bump only the columns are more.
-  t.lower.texture = Dent{.depth = -t.interference, .radius = 1e-3};
+  t.lower.texture = Dent{.depth = -t.interference, .edge_radius = 0.25e-3};
   EXPECT_EQ(plan(t).contact.ny, smooth.contact.ny);
-  t.lower.texture = Dent{.depth = -1.5, .radius = 0.5};
+  t.lower.texture = Dent{.depth = -1.5, .edge_radius = 0.125};
   EXPECT_NE(refusal(t).find("the textures are together 1.5 m high"), std::string::npos) << refusal(t);
 }
 
@@ -112,7 +112,8 @@ TEST(TexturePlan, ATextureWidensTheGrids)
 {
   IndentationCase c = light_press(50.0);
   const IndentationPlan smooth = plan(c);
-  c.lower.texture = Dent{.y = 0.4e-3, .depth = -6e-6, .radius = 0.3e-3}; // a bump beside the contact, which bears
+  c.lower.texture =
+      Dent{.y = 0.4e-3, .depth = -6e-6, .edge_radius = 0.075e-3}; // a bump beside the contact, which bears
   const IndentationPlan rough = plan(c);
   EXPECT_EQ(rough.contact.dy, smooth.contact.dy);
   EXPECT_LT(smooth.contact.ny * smooth.contact.dy, 2.0 * 0.4e-3);
