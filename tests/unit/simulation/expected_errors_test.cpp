@@ -395,48 +395,6 @@ TEST(ExpectedErrors, OfCreepForcesAreThoseOfTheResultant)
   EXPECT_LT(of_force(0.0, 0.01).relative, 2.0 * usual);
 }
 
-TEST(ExpectedErrors, OfCreepDependOnWhatSlips)
-{
-  RollingCase c = ball_on_flat();
-  c.lower.material.hardening.reset();
-  c.friction.coefficient = 0.3;
-  c.creepage = Creepage{1e-3, 0.0, 1.0};
-  RollingSummary s;
-  static_cast<RunTotals&>(s) = good_totals(c);
-  s.max_equivalent_plastic_strain = 0.0;
-  s.coverage.plastic_layers = 0;
-  s.passes.resize(1);
-  s.passes[0].F_x = 0.5 * c.friction.coefficient * c.drive.value;
-  const auto stated = [&](const char* quantity, double sticks)
-  {
-    s.passes[0].stick_share = sticks;
-    return error(quality(c, plan(c), s), quantity);
-  };
-  EXPECT_GT(stated("creep force", 0.99), 2.0 * stated("creep force", 0.5));
-  EXPECT_LT(stated("creep force", 0.5), 0.02);
-  // That of the share that sticks is a row of cells, whatever the share.
-  EXPECT_NEAR(stated("stick share", 0.2), 2.5 * stated("stick share", 0.5), 1e-12);
-  EXPECT_TRUE(std::isnan(stated("stick share", 0.0)));
-  EXPECT_TRUE(std::isnan(error(expected_quality(c, plan(c)), "stick share")));
-}
-
-TEST(ExpectedErrors, WithFrictionOfShoulderAndLargestStrainAreLarger)
-{
-  RollingCase c = ball_on_flat();
-  c.slide_to_roll = 0.3;
-  const auto shoulder = [&] { return error(quality(c, plan(c), good_totals(c)), "shoulder"); };
-  const double without = shoulder();
-  c.friction.coefficient = 0.25;
-  EXPECT_GT(shoulder(), 2.0 * without);
-  TuggingCase t;
-  t.lower = t.upper = {Paraboloid{1.0, 1.0}, {{200e9, 0.32}, constitutive::PerfectPlasticity{0.9e9}}};
-  t.interference = 2e-3;
-  const auto strain = [&] { return error(expected_quality(t, plan(t)), "largest plastic strain"); };
-  const double smooth = strain();
-  t.friction.coefficient = 0.1;
-  EXPECT_GT(strain(), 4.0 * smooth);
-}
-
 TEST(ExpectedErrors, OfHeatAndWearAreThoseOfElasticBodiesAsWell)
 {
   RollingCase c = ball_on_flat();
