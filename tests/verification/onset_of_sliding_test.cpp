@@ -163,5 +163,34 @@ TEST(OnsetOfSliding, ReversesAtRest)
   EXPECT_NEAR(work_in(rows, first + 8) / (layer.work() - there), 1.0, 0.01);
 }
 
+TEST(OnsetOfSliding, KeepsTheBooksOfEnergyAndHeat)
+{
+  // The energy of the shear at rest comes from the work of the way after it, and is missing in the heat of this way: all of it
+  // enters the lower body, as the upper one conducts nothing.
+  SlidingCase c = layer_case({10e9, 0.0}, 0.9e9, 0.3);
+  c.lower.material.thermal = Thermal{50.0, 7800.0, 470.0, 0.0};
+  c.heat.of_plastic_work = 0.0;
+  c.speed = 1e-3;
+  simulation::Run run(c);
+  while (!run.is_done())
+  {
+    const SlidingRecord r = run.step();
+    if (r.way > 0.0) // otherwise both are nothing
+      EXPECT_NEAR(r.heat_lower / r.dissipation_friction, 1.0, 1e-9) << r.step;
+  }
+  EXPECT_NEAR(run.summary().energy_balance_error, 0.0, 1e-5); // the tolerances of the solver
+}
+
+TEST(OnsetOfSliding, OfElasticBodiesNeedsNoIncrements)
+{
+  SlidingCase c = layer_case({10e9, 0.0}, 0.9e9, 0.3);
+  c.lower.material.hardening.reset();
+  c.lower.material.yield_factor = {};
+  const std::vector<SlidingRecord> with = history(c);
+  c.solver.onset_increments = 0;
+  const std::vector<SlidingRecord> without = history(c);
+  EXPECT_EQ(with.at(first).evaluations, without.at(first).evaluations);
+}
+
 } // namespace
 } // namespace brinell::simulation::onset_of_sliding_test
