@@ -109,7 +109,7 @@ TEST_F(Refusals, UnknownScenarioAndCommand)
     names += (names.empty() ? "" : ", ") + name;
   expect_refused({"new", "walking"}, "brinell: error: unknown scenario walking; allowed: " + names + "\n");
   expect_refused({"walk", "case.toml"}, "brinell: error: unknown command walk; allowed: run, check, schema, new, cite, "
-                                        "plot, report, sweep, surface, export, completion\n");
+                                        "plot, report, sweep, surface, material, export, completion\n");
 }
 
 TEST_F(Refusals, CommandsOfThePythonPackage)

@@ -6,16 +6,16 @@ Settings of matplotlib (`matplotlib.rcParams`) that the caller has changed are r
 them by their titles, or by what differs between their cases.
 
 Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `rolling`, `fretting`, `sliding` (several
-runs of these scenarios), `patches` and `run_in` (contact and surfaces of a sliding), `rough` (several rough surfaces
-over a period), `creepage` (steady rolling at several creepages), `fields`, `sections` and `depth` (one state of any
-scenario), `slip` and `friction_heat` (stick and slip, and the heat of friction, in one state), `history`, `energy`
-and `wear` (one run step by step), `temperature` (step by step, and in one state), `animation` and `pressure` (one
-pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run),
-`surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key numbers over what varies), `cli`
-(`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in axes of the caller), `scales`
-(what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane),
-`overlay` (several results in one figure), `differences` (their names), `states` (which state and which bodies), `cells`
-(cell values as pictures), `sheets` (maps that are long).
+runs of these scenarios), `track_depth` (depth profiles after rolling), `patches` and `run_in` (contact and surfaces of
+a sliding), `rough` (several rough surfaces over a period), `creepage` (steady rolling at several creepages), `fields`,
+`sections` and `depth` (one state of any scenario), `slip` and `friction_heat` (stick and slip, and the heat of
+friction, in one state), `history`, `energy` and `wear` (one run step by step), `temperature` (step by step, and in one
+state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities),
+`standard` (what suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key
+numbers over what varies), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in
+axes of the caller), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts`
+(fields on a plane), `overlay` (several results in one figure), `differences` (their names), `states` (which state and
+which bodies), `cells` (cell values as pictures), `sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation

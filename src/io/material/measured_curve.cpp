@@ -178,9 +178,14 @@ Points from_offset(const std::vector<double>& plastic, const std::vector<double>
   constexpr double far_apart = 0.2;
   const auto at = crossing(plastic, stress, offset);
   if (!at || !(at->stress > 0.0))
+  {
+    std::string reasons; // such as a modulus in another unit
+    for (const Warning& warning : result.warnings)
+      reasons += "; " + warning.text;
     throw InputError(fmt::format("reaches a plastic strain of {:.4g} only, so that it has no yield stress at {:g} %; "
-                                 "allowed: a smaller yield_offset, below what is reached",
-                                 *std::max_element(plastic.begin(), plastic.end()), 100.0 * offset));
+                                 "allowed: a smaller yield_offset, below what is reached{}",
+                                 *std::max_element(plastic.begin(), plastic.end()), 100.0 * offset, reasons));
+  }
   if (at->after - at->before > far_apart * at->stress)
     result.warnings.push_back(
         {"curve_yield",

@@ -260,6 +260,9 @@ TEST(MeasuredCurve, WhatIsWrongIsSaid)
   rules = total_rules();
   rules.offset = 0.5;
   expect_in(message(good, rules), "reaches a plastic strain of 0.12 only");
+  rules = total_rules();
+  rules.young_modulus = 210e3; // of another unit
+  expect_in(message(good, rules), "above Young's modulus, 2.1e+05 Pa");
   expect_in(message({{0.0, 0.01, 0.02}, {0.0, -9e8, -1e9}}, total_rules()), "strains mainly above 0, but stresses");
   rules = total_rules();
   rules.test = CurveRules::Test::tension;
