@@ -269,11 +269,12 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   in_increment_ = false;
 }
 
-void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace)
+void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
+                       int layers)
 {
   if (work_.empty())
     work_ = half_space_->make_work();
-  half_space_->full_stress(load, state_.plastic_strain, work_, deviator, trace);
+  half_space_->full_stress(load, state_.plastic_strain, work_, deviator, trace, layers);
   add_initial_stress(grid().nz, grid().surface.ny, deviator);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];

@@ -43,19 +43,19 @@ void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) 
     wear_->add_depth(1, place, out);
 }
 
-CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
+CoupledContact::Stress CoupledContact::lower_stress(const Place& place, int layers)
 {
-  return stress(0, sides_.front().body, place);
+  return stress(0, sides_.front().body, place, layers);
 }
 
-CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
+CoupledContact::Stress CoupledContact::upper_stress(const Place& place, int layers)
 {
-  return stress(1, sides_.back().body, place);
+  return stress(1, sides_.back().body, place, layers);
 }
 
 /// @param solved  the body itself, or the body of which it is the twin. The stress in a mirror image is the mirrored stress of
 ///                the solved body under the mirrored load.
-CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
+CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place, int layers) const
 {
   const BodyView view = side == 0 ? lower() : upper();
   const double shear_sign = side == 0 ? 1.0 : -1.0;
@@ -70,7 +70,8 @@ CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, co
   pressure = view.turned(pressure, 1.0);
   shear = {view.turned(shear[0], -1.0), view.turned(shear[1], 1.0)};
   Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
-  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]}, result.deviator, result.trace);
+  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]}, result.deviator, result.trace,
+                     layers);
   view.turn(result.deviator, result.trace);
   add_thermal_stress(side, view, result);
   return result;

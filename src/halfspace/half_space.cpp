@@ -132,10 +132,11 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
 }
 
 void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
-                            std::span<double> deviator, std::span<double> trace) const
+                            std::span<double> deviator, std::span<double> trace, int layers) const
 {
   const Operators& op = *operators_;
   const VolumeGrid& grid = op.grid;
+  const int computed = std::min(layers, grid.nz);
   require_load("HalfSpace::full_stress", load, grid.surface.size());
   require_size("HalfSpace::full_stress: the plastic strain", plastic_strain, Deviator::size * grid.size());
   require_size("HalfSpace::full_stress: the deviator", deviator, Deviator::size * grid.size());
@@ -146,12 +147,12 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   const BlockedFft& fft = op.trace_fft;
   AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
   buffers.symmetry = Symmetry::none;
-  op.load_strain(plastic_strain, grid.nz, Displacements::normal, buffers, spectra.data());
+  op.load_strain(plastic_strain, computed, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));
   const auto threads = static_cast<int>(buffers.threads.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
-  for (int layer = 0; layer < grid.nz; ++layer)
+  for (int layer = 0; layer < computed; ++layer)
   {
     double* field = trace.data() + op.field_at(0, layer);
     op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers,

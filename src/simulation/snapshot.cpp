@@ -3,6 +3,7 @@
 
 #include "foundation/sharing.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace brinell::simulation
@@ -31,6 +32,25 @@ TensorField six_fields(const std::vector<double>& deviators, const std::vector<d
   return fields;
 }
 
+/// Stress and strain of some cells.
+std::vector<StepFields::CellState> states_of(const elastoplastic::BodyView& body, std::span<const std::size_t> cells,
+                                             const std::function<elastoplastic::CoupledContact::Stress(int)>& stress_in)
+{
+  using elastoplastic::BodyState;
+  const std::size_t size = body.grid().size();
+  std::size_t deepest = 0;
+  for (const std::size_t cell : cells)
+    deepest = std::max(deepest, cell / body.grid().surface.size());
+  const auto stress = stress_in(static_cast<int>(deepest) + 1);
+  const std::vector<double> strain = body.deviators(&BodyState::plastic_strain),
+                            equivalent = body.scalars(&BodyState::equivalent);
+  std::vector<StepFields::CellState> states;
+  for (const std::size_t cell : cells)
+    states.push_back({to_tensor(deviator_at(stress.deviator, size, cell), stress.trace[cell]),
+                      to_tensor(deviator_at(strain, size, cell), 0.0), equivalent[cell]});
+  return states;
+}
+
 } // namespace
 
 BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x)
@@ -47,7 +67,7 @@ BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin
 }
 
 StepFields::Within fields_within(const elastoplastic::BodyView& body,
-                                 std::function<elastoplastic::CoupledContact::Stress()> stress,
+                                 std::function<elastoplastic::CoupledContact::Stress(int)> stress,
                                  std::function<std::vector<double>()> temperature)
 {
   using elastoplastic::BodyState;
@@ -58,11 +78,12 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
           .plastic_strain = [body]
           { return six_fields(body.deviators(&BodyState::plastic_strain), std::vector<double>(body.grid().size())); },
           .stress =
-              [stress = std::move(stress)]
+              [stress]
           {
-            const elastoplastic::CoupledContact::Stress found = stress();
+            const elastoplastic::CoupledContact::Stress found = stress(halfspace::HalfSpace::all_layers);
             return six_fields(found.deviator, found.trace);
-          }};
+          },
+          .cells = [body, stress](std::span<const std::size_t> cells) { return states_of(body, cells, stress); }};
 }
 
 Snapshot StepFields::whole() const

@@ -14,9 +14,9 @@ namespace brinell::simulation
 /// @param origin  surface coordinate of column 0 of its grid [m].
 [[nodiscard]] BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
 /// The fields within a body, computed on demand.
-/// @param stress, temperature  functions that compute these fields; `temperature` is empty without heat
+/// @param stress, temperature  functions that compute these fields, the stress in the first layers; `temperature` is empty without heat
 [[nodiscard]] StepFields::Within fields_within(const elastoplastic::BodyView& body,
-                                               std::function<elastoplastic::CoupledContact::Stress()> stress,
+                                               std::function<elastoplastic::CoupledContact::Stress(int)> stress,
                                                std::function<std::vector<double>()> temperature);
 /// Fills shear and slip of the contact.
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);

@@ -172,9 +172,11 @@ StepFields Stepper::fields(const Centre& centre) const
     upper_temperature = [this] { return pair_->upper_temperature(); };
   }
   fields.lower = fields_within(
-      pair_->lower(), [this, place = frame.placement.lower] { return pair_->lower_stress(place); }, lower_temperature);
+      pair_->lower(), [this, place = frame.placement.lower](int layers) { return pair_->lower_stress(place, layers); },
+      lower_temperature);
   fields.upper = fields_within(
-      pair_->upper(), [this, place = frame.placement.upper] { return pair_->upper_stress(place); }, upper_temperature);
+      pair_->upper(), [this, place = frame.placement.upper](int layers) { return pair_->upper_stress(place, layers); },
+      upper_temperature);
   fields.are_alike = plan_.twin == elastoplastic::Twin::alike && frame.placement.lower == frame.placement.upper;
   return fields;
 }

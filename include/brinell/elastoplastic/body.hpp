@@ -160,7 +160,9 @@ public:
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
   /// Total stress in all layers [Pa], from a load, the plastic strain and the initial stress before the first load: deviator, 5
   /// values per cell, and trace. The body must not be rigid.
-  void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace);
+  /// @param layers  number of layers from the surface that are computed
+  void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
+                   int layers = halfspace::HalfSpace::all_layers);
   /// Locked-in elastic energy plus dissipation [J], of the present trial for the load of the last update, or of the last
   /// committed increment.
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;

@@ -197,8 +197,9 @@ public:
     std::vector<double> trace;    ///< [cell]
   };
   /// @throws InputError if the body is rigid
-  [[nodiscard]] Stress lower_stress(const Place& place);
-  [[nodiscard]] Stress upper_stress(const Place& place);
+  /// @param layers  number of layers from the surface that are computed; the values of others are meaningless
+  [[nodiscard]] Stress lower_stress(const Place& place, int layers = halfspace::HalfSpace::all_layers);
+  [[nodiscard]] Stress upper_stress(const Place& place, int layers = halfspace::HalfSpace::all_layers);
   /// Temperature in all cells of a body [deg C]; empty without heat, or if the body is rigid.
   [[nodiscard]] std::vector<double> lower_temperature() const { return temperature(0, lower()); }
   [[nodiscard]] std::vector<double> upper_temperature() const { return temperature(1, upper()); }
@@ -272,7 +273,7 @@ private:
   void spread(const Placement& placement);
   void spread_shear(const Place& place, const SurfaceGrid& body, double sign,
                     std::array<std::vector<double>, 2>& out) const;
-  [[nodiscard]] Stress stress(std::size_t side, Body& solved, const Place& place) const;
+  [[nodiscard]] Stress stress(std::size_t side, Body& solved, const Place& place, int layers) const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;

@@ -6,6 +6,7 @@
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -55,9 +56,11 @@ public:
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
                             Displacements displacements = Displacements::normal,
                             Symmetry symmetry = Symmetry::none) const;
-  /// Deviator and trace of the stress [Pa] in all layers, for output.
+  /// Deviator and trace of the stress [Pa] in the layers [0, layers), for output; other layers are not written.
+  /// @param layers  as many as there are, or more: all
   void full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
-                   std::span<double> deviator, std::span<double> trace) const;
+                   std::span<double> deviator, std::span<double> trace, int layers = all_layers) const;
+  static constexpr int all_layers = std::numeric_limits<int>::max();
 
 private:
   struct Operators; ///< transforms and kernels, and the functions that apply them

@@ -13,6 +13,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -249,11 +250,20 @@ struct Snapshot
 /// without having all in memory. Valid until the run takes its next step, or ends.
 struct StepFields
 {
+  /// Stress and strain of a cell.
+  struct CellState
+  {
+    SymTensor stress, plastic_strain;
+    double equivalent_plastic_strain = 0.0;
+  };
+
   /// Functions that compute the fields; empty for fields that do not exist, such as those of a rigid body.
   struct Within
   {
     std::function<std::vector<double>()> equivalent_plastic_strain, temperature;
     std::function<TensorField()> plastic_strain, stress;
+    /// The state of some cells, which costs less than the fields: only layers down to the deepest cell are computed.
+    std::function<std::vector<CellState>(std::span<const std::size_t> cells)> cells;
     bool keeps_stress = true, keeps_von_mises = true; ///< what a result keeps of the stress
   };
 

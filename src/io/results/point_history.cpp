@@ -19,7 +19,7 @@ using simulation::StepFields;
 struct PointValues
 {
   double x = unknown, y = unknown, depth = unknown;
-  std::array<double, 6> stress{}, plastic_strain{};
+  SymTensor stress{unknown, unknown, unknown, unknown, unknown, unknown}, plastic_strain = stress;
   double equivalent = unknown, temperature = unknown;
 };
 
@@ -39,7 +39,7 @@ std::vector<NamedNumber> row_of(int step, int point, int body, const PointValues
           {"stress_yz", "Pa", "stress", syz},
           {"stress_xz", "Pa", "stress", sxz},
           {"stress_xy", "Pa", "stress", sxy},
-          {"von_mises_stress", "Pa", "von Mises stress", von_mises(SymTensor{sxx, syy, szz, syz, sxz, sxy})},
+          {"von_mises_stress", "Pa", "von Mises stress", von_mises(v.stress)},
           {"plastic_strain_xx", "1", "plastic strain", exx},
           {"plastic_strain_yy", "1", "plastic strain", eyy},
           {"plastic_strain_zz", "1", "plastic strain", ezz},
@@ -59,45 +59,46 @@ std::optional<std::size_t> cell_along(double coordinate, double first, double si
   return static_cast<std::size_t>(cell);
 }
 
-/// The fields of a body at a step, each computed once.
-struct FieldsAtPoints
+/// Index of the cell around a point; none beyond the grid.
+std::optional<std::size_t> cell_around(const HistoryPoint& point, const simulation::BodySnapshot& body)
 {
-  const simulation::BodySnapshot& body;
-  simulation::TensorField stress, plastic_strain;
-  std::vector<double> equivalent, temperature;
+  const SurfaceGrid& grid = body.grid.surface;
+  const auto i = cell_along(point.x, body.x0, grid.dx, grid.nx), j = cell_along(point.y, body.y0, grid.dy, grid.ny),
+             k = cell_along(point.depth, 0.5 * body.grid.dz, body.grid.dz, body.grid.nz);
+  if (!i || !j || !k)
+    return std::nullopt;
+  return (*k * static_cast<std::size_t>(grid.ny) + *j) * static_cast<std::size_t>(grid.nx) + *i;
+}
 
-  FieldsAtPoints(const simulation::BodySnapshot& snapshot, const StepFields::Within& within)
-      : body(snapshot), stress(within.stress()), plastic_strain(within.plastic_strain()),
-        equivalent(within.equivalent_plastic_strain())
-  {
-    if (within.temperature)
-      temperature = within.temperature();
-  }
-
-  [[nodiscard]] PointValues at(const HistoryPoint& point) const
-  {
-    PointValues values;
-    values.stress.fill(unknown);
-    values.plastic_strain.fill(unknown);
-    const SurfaceGrid& grid = body.grid.surface;
-    const auto i = cell_along(point.x, body.x0, grid.dx, grid.nx), j = cell_along(point.y, body.y0, grid.dy, grid.ny),
-               k = cell_along(point.depth, 0.5 * body.grid.dz, body.grid.dz, body.grid.nz);
-    if (!i || !j || !k)
-      return values;
-    const std::size_t cell = (*k * static_cast<std::size_t>(grid.ny) + *j) * static_cast<std::size_t>(grid.nx) + *i;
-    values.x = body.x0 + static_cast<double>(*i) * grid.dx;
-    values.y = body.y0 + static_cast<double>(*j) * grid.dy;
-    values.depth = (static_cast<double>(*k) + 0.5) * body.grid.dz;
-    for (std::size_t c = 0; c < values.stress.size(); ++c)
+/// The values of the points of a body, those of other bodies left as they are.
+void fill(std::vector<PointValues>& values, const std::vector<HistoryPoint>& points, bool is_upper,
+          const simulation::BodySnapshot& body, const StepFields::Within& within)
+{
+  std::vector<std::size_t> cells, places;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (const auto cell = points[p].is_upper == is_upper ? cell_around(points[p], body) : std::nullopt)
     {
-      values.stress[c] = stress[c][cell];
-      values.plastic_strain[c] = plastic_strain[c][cell];
+      cells.push_back(*cell);
+      places.push_back(p);
     }
-    values.equivalent = equivalent[cell];
-    values.temperature = temperature.empty() ? unknown : temperature[cell];
-    return values;
+  if (cells.empty())
+    return;
+  const std::vector<StepFields::CellState> states = within.cells(cells);
+  const std::vector<double> temperature = within.temperature ? within.temperature() : std::vector<double>{};
+  const SurfaceGrid& grid = body.grid.surface;
+  const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    const std::size_t cell = cells[n];
+    values[places[n]] = {body.x0 + static_cast<double>(cell % nx) * grid.dx,
+                         body.y0 + static_cast<double>(cell / nx % ny) * grid.dy,
+                         (static_cast<double>(cell / nx / ny) + 0.5) * body.grid.dz,
+                         states[n].stress,
+                         states[n].plastic_strain,
+                         states[n].equivalent_plastic_strain,
+                         temperature.empty() ? unknown : temperature[cell]};
   }
-};
+}
 
 } // namespace
 
@@ -109,17 +110,12 @@ std::vector<NamedNumber> point_columns()
 std::vector<std::vector<NamedNumber>> point_rows(const std::vector<HistoryPoint>& points, int step,
                                                  const StepFields& fields)
 {
-  std::array<std::optional<FieldsAtPoints>, 2> bodies;
+  std::vector<PointValues> values(points.size());
+  fill(values, points, false, fields.surfaces.lower, fields.lower);
+  fill(values, points, true, fields.surfaces.upper, fields.upper);
   std::vector<std::vector<NamedNumber>> rows;
-  for (const HistoryPoint& point : points)
-  {
-    const std::size_t side = point.is_upper ? 1 : 0;
-    if (!bodies[side])
-      bodies[side].emplace(side == 0 ? fields.surfaces.lower : fields.surfaces.upper,
-                           side == 0 ? fields.lower : fields.upper);
-    rows.push_back(
-        row_of(step, static_cast<int>(rows.size()) + 1, static_cast<int>(side) + 1, bodies[side]->at(point)));
-  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+    rows.push_back(row_of(step, static_cast<int>(p) + 1, points[p].is_upper ? 2 : 1, values[p]));
   return rows;
 }
 
