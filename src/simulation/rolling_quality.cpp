@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <string_view>
 
 /// Quality of results of rolling, before and after a run.
 namespace brinell::simulation
@@ -174,6 +175,16 @@ Facts facts(const RollingCase& c, const RollingPlan& plan, const std::vector<Rol
   return f;
 }
 
+/// Whether the rut, the residual displacement in the middle of the track, is so small beside what is left elsewhere, as in the
+/// middle of a dent, that its relative error says nothing.
+bool hardly_sinks(const RollingSummary& summary)
+{
+  constexpr double least = 0.05;
+  return !summary.passes.empty() &&
+         std::all_of(summary.passes.begin(), summary.passes.end(),
+                     [&](const RollingPass& p) { return std::abs(p.rut_depth) < least * summary.max_residual_lower; });
+}
+
 /// Warning about the pass with the largest unsteadiness.
 std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
 {
@@ -219,7 +230,10 @@ Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTo
 
 Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
 {
-  Quality quality = quality_after(facts(rolling, plan, summary.passes), summary, unsteadiness(rolling, summary.passes));
+  Facts f = facts(rolling, plan, summary.passes);
+  if (hardly_sinks(summary))
+    std::erase_if(f.documented, [](const Documented& d) { return std::string_view(d.quantity) == rut.quantity; });
+  Quality quality = quality_after(f, summary, unsteadiness(rolling, summary.passes));
   if (const std::optional<Warning> warning = creep_unsteadiness(rolling, summary.passes))
     quality.warnings.push_back(*warning);
   return quality;

@@ -346,6 +346,23 @@ TEST(Quality, UnsteadyTrack)
   EXPECT_EQ(unsteady.warnings[0].text.find("texture"), std::string::npos);
 }
 
+TEST(Quality, ARutNearZeroHasNoExpectedError)
+{
+  const RollingCase c = ball_on_flat();
+  RollingSummary s;
+  static_cast<RunTotals&>(s) = good_totals(c);
+  s.passes.resize(1);
+  const auto has_rut = [&](double depth)
+  {
+    s.passes[0].rut_depth = depth;
+    const auto errors = quality(c, plan(c), s).resolution.expected_errors;
+    return std::any_of(errors.begin(), errors.end(), [](const ExpectedError& e) { return e.quantity == "rut"; });
+  };
+  EXPECT_TRUE(has_rut(0.06 * s.max_residual_lower));
+  EXPECT_TRUE(has_rut(-0.06 * s.max_residual_lower));
+  EXPECT_FALSE(has_rut(0.04 * s.max_residual_lower));
+}
+
 TEST(Quality, RoughFlatsHaveWavesAndNoContactRadius)
 {
   IndentationCase c;
