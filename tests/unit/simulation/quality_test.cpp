@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/first_yield.hpp"
+#include "brinell/simulation/run.hpp"
 #include "quality_cases.hpp"
 
 #include <gtest/gtest.h>
