@@ -176,7 +176,9 @@ TEST(OnsetOfSliding, KeepsTheBooksOfEnergyAndHeat)
   {
     const SlidingRecord r = run.step();
     if (r.way > 0.0) // otherwise both are nothing
+    {
       EXPECT_NEAR(r.heat_lower / r.dissipation_friction, 1.0, 1e-9) << r.step;
+    }
   }
   EXPECT_NEAR(run.summary().energy_balance_error, 0.0, 1e-5); // the tolerances of the solver
 }

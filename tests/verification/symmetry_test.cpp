@@ -187,7 +187,7 @@ TEST(Symmetry, TuggingOverBumps)
 {
   simulation::TuggingCase t = small_case(3.0);
   const double a = simulation::plan(t).elastic_contact_radius;
-  const simulation::Dent bump{.x = 0.5 * a, .y = 0.6 * a, .depth = -0.1 * t.interference, .radius = 2.0 * a};
+  const simulation::Dent bump{.x = 0.5 * a, .y = 0.6 * a, .depth = -0.1 * t.interference, .edge_radius = 0.5 * a};
   simulation::Dent other = bump;
   other.y = -bump.y;
   t.lower.texture = std::vector<simulation::TexturePart>{bump, other};

@@ -58,7 +58,7 @@ struct CurveRules
   double offset = 0.002;
   Slope slope = Slope::young_modulus;
   std::optional<double> young_modulus{}; ///< [Pa]
-  bool monotone = false;               ///< whether a stress below an earlier one may be raised to it
+  bool monotone = false;                 ///< whether a stress below an earlier one may be raised to it
 
   /// Whether the points of a file are used as they are.
   [[nodiscard]] bool keeps_points() const

@@ -181,7 +181,9 @@ TEST(FrettingTest, WithoutMotionItIsAnIndentation)
       EXPECT_EQ(f.max_pressure, r.max_pressure);
       EXPECT_EQ(f.dissipation_lower, r.dissipation_lower);
       if (r.dissipation_lower > 0.0) // before, that of an indentation is exact, and not that of a few steps
+      {
         EXPECT_DOUBLE_EQ(f.work, r.work); // summed in another order
+      }
     }
     EXPECT_EQ(rows.back().force, 0.0);
     EXPECT_EQ(rows.back().dissipation_friction, 0.0);
