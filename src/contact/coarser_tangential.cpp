@@ -20,7 +20,8 @@ CoarserTangential::CoarserTangential(const halfspace::TractionCompliance& fine)
 }
 
 /// Averages the step on the larger cells. The shears `before` are carried along on the finer cells first, and the spin is
-/// included in the change; what points move freely before they come into the contact is left out of a mere guess: carried by whole larger cells and turned about the middle of the coarser grid, both would differ.
+/// included in the change: carried by whole larger cells and turned about the middle of the coarser grid, both would differ. What
+/// points move freely before they come into the contact is left out, since this is a mere guess.
 void CoarserTangential::read(const TangentialStep& step)
 {
   const SurfaceGrid& fine = cells_.fine();

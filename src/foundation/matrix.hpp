@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "foundation/aligned.hpp"
+
 #include <span>
 #include <vector>
 
@@ -32,7 +34,8 @@ private:
   }
 
   int rows_ = 0;
-  std::vector<double> values_;
+  AlignedVector<double>
+      values_; ///< where a sum begins must not depend on the place in memory, and nor must its last digit
 };
 
 /// Values that belong to somebody else, taken as the matrix of these rows and columns, column by column.

@@ -224,9 +224,9 @@ void CrosswiseImages::multiply(int part, Response& response, Symmetry symmetry, 
               });
 }
 
-std::vector<double> CrosswiseImages::amplitudes(const Response& response, int component, int layer) const
+AlignedVector<double> CrosswiseImages::amplitudes(const Response& response, int component, int layer) const
 {
-  std::vector<double> means, in_layer(static_cast<std::size_t>(block()));
+  AlignedVector<double> means, in_layer(static_cast<std::size_t>(block()));
   for (int q = 0; q < depth_.count; ++q)
     means.push_back(depth_.means(layer, q));
   assign_product(
@@ -237,7 +237,7 @@ std::vector<double> CrosswiseImages::amplitudes(const Response& response, int co
 
 CrosswiseImages::Columns CrosswiseImages::stress(const Response& response, int component, int layer) const
 {
-  const std::vector<double> in_layer = amplitudes(response, component, layer);
+  const AlignedVector<double> in_layer = amplitudes(response, component, layer);
   Columns sums(along_.rows(), powers);
   assign_product(along_, {in_layer.data(), 2 * waves_, powers}, sums.column(0));
   return sums;

@@ -52,10 +52,10 @@ public:
                              Response& response) const;
   void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
   /// Amplitudes of the waves of the stress of the images in one layer, [power][wave].
-  [[nodiscard]] std::vector<double> amplitudes(const Response& response, int component, int layer) const;
+  [[nodiscard]] AlignedVector<double> amplitudes(const Response& response, int component, int layer) const;
   /// Sums of the waves at neighbouring cells along the grid, for the powers `first_power`, `first_power + next`, ...
   template <int first_power, int next>
-  [[nodiscard]] std::array<Lanes, powers> sums_of_waves(const std::vector<double>& amplitudes, int first,
+  [[nodiscard]] std::array<Lanes, powers> sums_of_waves(const AlignedVector<double>& amplitudes, int first,
                                                         std::size_t cells) const
   {
     std::array<Lanes, powers> sums{};

@@ -130,7 +130,7 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
   constexpr int first_power = has == PowersOfY::odd ? 1 : 0;
   constexpr int next = has == PowersOfY::all ? 1 : 2;
   const SurfaceGrid& s = grid_.surface;
-  std::vector<double> along_x;
+  AlignedVector<double> along_x;
   if (crosswise_ && crosswise_->is_along_x())
     along_x = crosswise_->amplitudes(response.crosswise, component, layer);
   else if (crosswise_)
