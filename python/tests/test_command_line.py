@@ -232,7 +232,18 @@ def test_bad_options_of_the_package(folder: Path) -> None:
 
 def test_interrupted_run_ends_as_in_the_program(folder: Path) -> None:
     with subprocess.Popen(
-        [SCRIPT, "run", "case.toml", "-q", "-o", "out", "--set", "tugging.passes=10000"],
+        [
+            SCRIPT,
+            "run",
+            "case.toml",
+            "-q",
+            "-o",
+            "out",
+            "--set",
+            "tugging.passes=10000",
+            "--set",
+            "output.snapshots=none",
+        ],
         cwd=folder,
         stderr=subprocess.PIPE,
         text=True,
@@ -280,6 +291,7 @@ def test_options_are_completed() -> None:
         "--accuracy",
         "--threads",
         "--resume",
+        "--keep",
         "-q",
         "--quiet",
     ]

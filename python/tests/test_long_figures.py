@@ -121,7 +121,7 @@ def test_a_thin_plastic_layer_is_drawn_enlarged() -> None:
 @pytest.fixture(scope="module")
 def rim() -> brinell.Run:
     """A track that has yielded beside its middle only, at a bump."""
-    bump = brinell.Bump(x=0.0, y="16 um", height="0.3 um", radius="16 um")
+    bump = brinell.Bump(x=0.0, y="16 um", height="0.3 um", edge_radius="4 um")
     flat = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "5 GPa")), bump)
     ball = brinell.Body(brinell.Sphere("1 mm"), brinell.Material("210 GPa", 0.3))
     return brinell.Rolling(flat, ball, load="0.4 N", distance="0.1 mm", grid={"resolution": 6}).run(in_memory=True)

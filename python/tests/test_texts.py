@@ -104,9 +104,9 @@ def test_any_text_is_drawn_as_written(text: str) -> None:
 
 
 def test_curves_named_by_their_folders() -> None:
-    from brinell.plot import creepage
+    from brinell.plot import differences
 
-    assert drawn(creepage._told("lower.texture.file", "$a_1$.txt")) == "lower file $a_1$.txt"
+    assert drawn(differences.told("lower.texture.file", "$a_1$.txt")) == "lower file $a_1$.txt"
 
 
 def test_figure_of_a_surface(folder: Path, tmp_path: Path) -> None:

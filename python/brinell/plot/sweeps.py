@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from brinell.errors import InputError
 from brinell.plot import style
 from brinell.plot.differences import differences, told, unit_of
-from brinell.plot.overlay import HasRuns, legend_beside, looks
+from brinell.plot.overlay import legend_beside, looks, of_runs
 from brinell.plot.scales import si
 from brinell.results import Run
 from brinell.scenarios import SCENARIOS
@@ -48,9 +48,8 @@ def key_numbers_of(runs: Mapping[int, Run]) -> KeyNumbers:
 
 
 @style.figure
-def sweep_numbers(
-    runs: Iterable[Run] | Mapping[int, Run] | HasRuns, over: str | None = None, *, ax: style.Target | None = None
-) -> Figure | None:
+@of_runs
+def sweep_numbers(runs: Sequence[Run], over: str | None = None, *, ax: style.Target | None = None) -> Figure | None:
     """Key numbers over a key that varies, a panel per number that differs, a curve per combination of other keys.
 
     Returns None if no number differs.
@@ -63,9 +62,7 @@ def sweep_numbers(
     Raises:
         InputError: the key does not differ between the runs, or is no number.
     """
-    given = runs if isinstance(runs, Iterable) else runs.runs
-    numbered = given if isinstance(given, Mapping) else dict(enumerate(given))
-    table = key_numbers_of(dict(numbered))
+    table = key_numbers_of(dict(enumerate(runs)))
     numeric = [key for key, values in table.varied.items() if all(_is_number(_first(value)) for value in values)]
     if over is not None and over not in numeric:
         raise InputError(f"over = {over!r}; allowed: a number that differs between the runs: {', '.join(numeric)}")

@@ -20,6 +20,7 @@ UNITS: Mapping[str, str] = {
             "radius_y",
             "length",
             "tip_radius",
+            "edge_radius",
             "depth",
             "height",
             "heights",

@@ -64,7 +64,7 @@ std::string critical_report(const Case& c)
 template <typename ScenarioCase>
 std::string yield_report(const ScenarioCase& s, const simulation::Plan& plan)
 {
-  if (!(plan.peak_over_yield > 0.0 && std::isfinite(plan.peak_over_yield)))
+  if (!(plan.peak_pressure > 0.0 && plan.peak_over_yield > 0.0 && std::isfinite(plan.peak_over_yield)))
     return "";
   const double friction = s.friction.coefficient;
   std::string text = fmt::format("# Elastic peak pressure: {:.6e} Pa, {:.4g} times that at first yield",
