@@ -2,6 +2,7 @@
 #include "layered_conduction.hpp"
 
 #include "foundation/lane_functions.hpp"
+#include "foundation/matrix.hpp"
 
 #include <algorithm>
 #include <array>

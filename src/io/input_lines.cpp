@@ -99,22 +99,22 @@ InputLines input_lines(const std::filesystem::path& file)
   return result;
 }
 
-std::string InputLines::shown(std::string_view text) const
+std::string InputLines::shown(std::string_view part) const
 {
   constexpr std::size_t longest = 40;
-  text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
-  text = text.substr(0, longest);
-  text = text.substr(0, valid_utf8(text)); // no half of a character at the end
+  part.remove_prefix(std::min(part.find_first_not_of(white_space), part.size()));
+  part = part.substr(0, longest);
+  part = part.substr(0, valid_utf8(part)); // no half of a character at the end
   std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i)
+  for (std::size_t i = 0; i < part.size(); ++i)
   {
-    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto byte = static_cast<unsigned char>(part[i]);
     if (!is_utf8 && (byte == 0xc2 || byte == 0xc3))
-      result += fmt::format("\\x{:02x}", (byte & 0x03) << 6 | (static_cast<unsigned char>(text[++i]) & 0x3f));
+      result += fmt::format("\\x{:02x}", (byte & 0x03) << 6 | (static_cast<unsigned char>(part[++i]) & 0x3f));
     else if (byte < 0x20 && byte != '\t')
       result += fmt::format("\\x{:02x}", byte);
     else
-      result += text[i];
+      result += part[i];
   }
   return result;
 }

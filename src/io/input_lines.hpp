@@ -32,9 +32,9 @@ struct InputLines
   bool is_utf8 = true; ///< whether the file was; bytes of other files are taken as Latin-1
 
   /// The beginning of a line, or a part of one, for a message: in quotes, with bytes that were not UTF-8 as \xb5.
-  [[nodiscard]] std::string quoted(std::string_view text) const { return '"' + shown(text) + '"'; }
+  [[nodiscard]] std::string quoted(std::string_view part) const { return '"' + shown(part) + '"'; }
   /// As `quoted`, without the quotes.
-  [[nodiscard]] std::string shown(std::string_view text) const;
+  [[nodiscard]] std::string shown(std::string_view part) const;
 };
 
 /// A file is no text. (What follows its name in a message.)

@@ -67,7 +67,7 @@ BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin
 }
 
 StepFields::Within fields_within(const elastoplastic::BodyView& body,
-                                 std::function<elastoplastic::CoupledContact::Stress(int)> stress,
+                                 const std::function<elastoplastic::CoupledContact::Stress(int)>& stress,
                                  std::function<std::vector<double>()> temperature)
 {
   using elastoplastic::BodyState;

@@ -16,7 +16,7 @@ namespace brinell::simulation
 /// The fields within a body, computed on demand.
 /// @param stress, temperature  functions that compute these fields, the stress in the first layers; `temperature` is empty without heat
 [[nodiscard]] StepFields::Within fields_within(const elastoplastic::BodyView& body,
-                                               std::function<elastoplastic::CoupledContact::Stress(int)> stress,
+                                               const std::function<elastoplastic::CoupledContact::Stress(int)>& stress,
                                                std::function<std::vector<double>()> temperature);
 /// Fills shear and slip of the contact.
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);

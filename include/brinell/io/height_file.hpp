@@ -54,11 +54,11 @@ class NoHeightText : public InputError
 /// semicolons or commas; an empty cell is a gap. If something other than commas separates the numbers, commas are decimal commas.
 /// Comments begin with #; among them are the headers of brinell's own files, of Gwyddion and of SPIP.
 /// @throws NoHeightText; InputError; IoError. Their texts continue a sentence that begins with the file's name
-[[nodiscard]] HeightFile read_height_text(const std::filesystem::path& file, const HeightFileOptions& options);
+[[nodiscard]] HeightFile read_height_text(const std::filesystem::path& path, const HeightFileOptions& options);
 
 /// Reads text or, recognised by its first bytes, a .npy file, whose numbers are in `unit` or m.
 /// @throws as read_height_text
-[[nodiscard]] HeightFile read_height_file(const std::filesystem::path& file, const HeightFileOptions& options);
+[[nodiscard]] HeightFile read_height_file(const std::filesystem::path& path, const HeightFileOptions& options);
 
 /// The error for gaps: where the first one is, their number and a remedy.
 [[nodiscard]] std::string gap_text(const HeightFile& file);

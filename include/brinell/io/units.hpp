@@ -48,10 +48,11 @@ struct Quantity
   Dimension dimension;
 };
 
-/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Nearly every unit is a power of ten of the SI unit; inch, kgf and HV have a factor besides. This
-/// power is added to the exponent of the number before the number is parsed, so that "3.85 mm" is the same double as 0.00385.
+/// Reads "3.85 mm", "200GPa", "12 N/mm^2", "45 W/(m K)", "12e-6 1/K", "2 µm". Nearly every unit is a power of ten of the SI unit;
+/// inch, kgf and HV have a factor besides. This power is added to the exponent of the number before the number is parsed, so that
+/// "3.85 mm" is the same double as 0.00385.
 /// @throws InputError; its text continues a sentence that begins with the value ("has the unknown unit ...").
-[[nodiscard]] Quantity quantity(std::string_view text);
+[[nodiscard]] Quantity quantity(std::string_view given);
 
 /// A text without the characters that look like a blank or a minus sign but are others: U+00A0, U+2007, U+2009, U+202F, U+2212.
 /// Texts and web pages set numbers with them; all functions of this header read them.
@@ -59,10 +60,10 @@ struct Quantity
 
 /// Reads "20 degC", "20 °C" or "293.15 K" in degrees Celsius: a temperature, not a difference of two.
 /// @throws InputError; its text continues a sentence that begins with the value.
-[[nodiscard]] double degrees_celsius(std::string_view text);
+[[nodiscard]] double degrees_celsius(std::string_view given);
 
 /// Reads "70 deg", "70°", "1.2 rad" or "20 mrad" in degrees.
 /// @throws InputError; its text continues a sentence that begins with the value.
-[[nodiscard]] double degrees(std::string_view text);
+[[nodiscard]] double degrees(std::string_view given);
 
 } // namespace brinell::io

@@ -94,7 +94,8 @@ Candidate ludwik(std::span<const double> strain, std::span<const double> stress)
   const auto shape = [](double e, double exponent) { return std::pow(e, exponent); };
   const auto [exponent, line] = fitted_shape(strain, stress, shape, 0.02, 1.0);
   return {fmt::format("Ludwik's law, {:.4g} Pa + {:.4g} Pa e^{:.4g}", line.intercept, line.slope, exponent),
-          [=](double e) { return line.intercept + line.slope * shape(e, exponent); }};
+          [shape, exponent = exponent, line = line](double e)
+          { return line.intercept + line.slope * shape(e, exponent); }};
 }
 
 Candidate voce(std::span<const double> strain, std::span<const double> stress)
@@ -103,7 +104,7 @@ Candidate voce(std::span<const double> strain, std::span<const double> stress)
   const double last = *std::max_element(strain.begin(), strain.end());
   const auto [rate, line] = fitted_shape(strain, stress, shape, 0.01 / last, 100.0 / last);
   return {fmt::format("Voce's law, {:.4g} Pa + {:.4g} Pa (1 - exp(-{:.4g} e))", line.intercept, line.slope, rate),
-          [=](double e) { return line.intercept + line.slope * shape(e, rate); }};
+          [shape, rate = rate, line = line](double e) { return line.intercept + line.slope * shape(e, rate); }};
 }
 
 /// coefficient (offset + e)^exponent: a line in logarithms for each offset.

@@ -89,10 +89,10 @@ void fill(std::vector<PointValues>& values, const std::vector<HistoryPoint>& poi
   const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
-    const std::size_t cell = cells[n];
+    const std::size_t cell = cells[n], row = cell / nx % ny, layer = cell / nx / ny;
     values[places[n]] = {body.x0 + static_cast<double>(cell % nx) * grid.dx,
-                         body.y0 + static_cast<double>(cell / nx % ny) * grid.dy,
-                         (static_cast<double>(cell / nx / ny) + 0.5) * body.grid.dz,
+                         body.y0 + static_cast<double>(row) * grid.dy,
+                         (static_cast<double>(layer) + 0.5) * body.grid.dz,
                          states[n].stress,
                          states[n].plastic_strain,
                          states[n].equivalent_plastic_strain,

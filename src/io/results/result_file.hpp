@@ -59,7 +59,7 @@ private:
     [[nodiscard]] double time() const { return is_final ? step + 1.0 : step; }
   };
   [[nodiscard]] std::filesystem::path path_of(const Piece& piece) const;
-  void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::StepFields& fields);
+  void add(Piece piece, const std::vector<NamedNumber>& columns, const simulation::StepFields& whole);
   void write_merged(const std::string& summary) const;
   [[nodiscard]] std::uintmax_t size_of_pieces() const;
   void write_linked() const;

@@ -207,7 +207,7 @@ std::vector<h5::VirtualPart> contact_parts(const char* name, const StateLayout& 
   const auto [row_of_lower, column_of_lower] = offset(all, layout.lower);
   const Counts shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
   std::vector<h5::VirtualPart> parts;
-  const auto add = [&](int column)
+  const auto add = [&, row_of_lower = row_of_lower, column_of_lower = column_of_lower](int column)
   {
     const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
     const int first_column = std::max(column, 0), last_column = std::min(column + c.nx, lower.nx);
