@@ -157,8 +157,9 @@ def test_other_threads_go_on_while_it_solves() -> None:
     during = counted - before
     done.set()
     thread.join()
-    # The solution takes hundreds of transforms of 384^2 values; with the lock held the other thread would not move.
-    assert during > 10
+    # The solution takes hundreds of transforms of 384^2 values; with the lock held the other thread would not move, but
+    # perhaps before and after. A busy machine leaves it few turns.
+    assert during > 3
 
 
 def test_reprs_are_short() -> None:
