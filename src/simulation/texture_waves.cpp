@@ -73,8 +73,8 @@ std::vector<double> curvature_spectrum(const Lines& lines, const SeriesFft& tran
 }
 
 /// The wavelength above which 98 % of the mean square of the curvature lies. The window spreads each wave over the next
-/// frequencies, by up to 2/count cycles per point each way, of which all but 2 %
-/// within 1.5/count. Infinite for lines too short to tell.
+/// frequencies, by up to 2/count cycles per point each way, all but 2 % of it within 1.5/count. Infinite for lines too short to
+/// tell.
 double shortest_wave(const Lines& lines)
 {
   constexpr int fewest_points = 10;

@@ -23,10 +23,11 @@ struct Convergence
 /// docs/theory/simulation.md (error of the cells).
 ///
 /// With differences d21, d32 of the three finest runs and r the ratio of their cells, the order p solves d32/d21 = r^p; half of
-/// the interval is 1.25 |d21| / (r^p - 1), with p at most the known order of such numbers, because a higher one is accidental; above
-/// 2.2 the factor is 3 instead of 1.25. If the values do not approach a limit monotonically there is no order: half of the interval is then three
-/// times the largest difference. With two runs first order is assumed, with the factor 3. Without an order the interval is never
-/// narrower than the known error of such numbers, because three oscillating values may lie close together by accident.
+/// the interval is 1.25 |d21| / (r^p - 1), with p at most the known order of such numbers, because a higher one is accidental;
+/// above 2.2 the factor is 3 instead of 1.25. If the values do not approach a limit monotonically there is no order: half of the
+/// interval is then three times the largest difference. With two runs first order is assumed, with the factor 3. Without an order
+/// the interval is never narrower than the known error of such numbers, because three oscillating values may lie close together
+/// by accident.
 /// @param cells   cell sizes, coarsest first, in any unit; two or more
 /// @param values  the number with each cell size
 /// @param scale   typical size of such a number, >= 0; for smaller values the error is relative to this scale
