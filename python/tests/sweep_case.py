@@ -27,7 +27,7 @@ CASE = "\n".join(
 )
 """A few steps, a tenth of a second."""
 
-LONG = ["grid.resolution=6", "tugging.passes=2", "output.checkpoint_interval=0"]
+LONG = ["grid.resolution=6", "tugging.passes=4", "output.checkpoint_interval=0"]
 """Overrides that make it take seconds: long enough to be killed in the midst."""
 
 
