@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fails on an #include that a floor must not make. Usage: tools/check_layers.py [ROOT]
+"""Fails on an #include that a floor or a room must not make. Usage: tools/check_layers.py [ROOT]
 
 The floors from the bottom up; each names the floors it may include besides itself. apps, tests and bench may
-include everything.
+include everything. The largest floors have rooms, folders with rules of the same kind among them. Public headers lie
+side by side in include/brinell/<floor>: such a header belongs to the room of the source of the same name.
 """
 
 import re
@@ -22,6 +23,35 @@ FLOORS = {
     "io": {"foundation", "green", "constitutive", "halfspace", "contact", "elastoplastic", "reference", "simulation"},
 }
 
+ROOMS = {
+    "halfspace": {
+        "transform": set(),
+        "traction": {"transform"},
+        "strain": {"transform", "traction"},
+        "heat": {"transform"},
+    },
+    "elastoplastic": {
+        "body": set(),
+        "interface": set(),
+        "heat": {"body", "interface"},
+        "increment": {"body", "interface", "heat"},
+    },
+    "simulation": {
+        "surfaces": set(),
+        "plan": {"surfaces"},
+        "stepping": {"surfaces", "plan"},
+        "quality": {"surfaces", "plan"},
+        "motion": {"surfaces", "plan", "stepping", "quality"},
+    },
+}
+
+# Rooms of public headers that have no source.
+ROOM_OF_HEADER = {
+    "halfspace": {"surface_load": "transform"},
+    "elastoplastic": {"interface": "interface", "settings": "body", "window_error": "body"},
+    "simulation": {"columns": "plan", "scenario": "plan", "scenarios": "motion", "run": "motion"},
+}
+
 # Single headers, where a floor may use some of another floor but not all: elastic constants, but no kernels.
 ONLY_HEADERS = {
     ("constitutive", "green"): {"elastic.hpp", "thermal.hpp"},
@@ -33,6 +63,17 @@ VERSION_HEADER_FLOORS = {"io"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]')
 SOURCES = {".hpp", ".h", ".cpp"}
+
+# What a string below io must not say: keys of case files, options of the command line, names of files and of members of
+# the summary. How many such strings a file still has is in words_below_io.txt, which may only shrink.
+STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
+WORD_OF_FILES = re.compile(
+    r"\b(?:tugging|rolling|sliding|indentation|fretting|interface|thermal|grid|solver|output)\.[a-z_]{2,}"
+    r"|(?:\blower|\bupper|\{\})\.(?:texture|shape|material)"
+    r"|\[\*\]|\b(?:energy|forces|residual|wear)\.[a-z_*]+"
+    r"|--[a-z]{3,}|\b(?:checkpoint|summary|history|result)\.[a-z]+"
+)
+WORDS_LEFT = Path(__file__).parent / "words_below_io.txt"
 
 
 def reason(floor: str, target: str) -> str | None:
@@ -57,8 +98,32 @@ def reason(floor: str, target: str) -> str | None:
     return None
 
 
+class Rooms:
+    """Which room a file or an included header of a floor lies in."""
+
+    def __init__(self, root: Path) -> None:
+        self.of = {floor: dict(ROOM_OF_HEADER[floor]) for floor in ROOMS}
+        for floor, rooms in ROOMS.items():
+            for room in rooms:
+                self.of[floor].update((path.stem, room) for path in (root / "src" / floor / room).iterdir())
+
+    def reason(self, path: Path, floor: str, target: str) -> str | None:
+        """Reason why a file of `floor` may not include `target`; None if it may."""
+        parts = Path(target).parts
+        if parts[0] == "brinell":
+            parts = parts[1:]
+        if floor not in ROOMS or Path(target).suffix != ".hpp" or (len(parts) > 1 and parts[0] != floor):
+            return None
+        mine, other = self.of[floor].get(path.stem), self.of[floor].get(Path(target).stem)
+        if mine is None:
+            return f"in no room of {floor} ({', '.join(ROOMS[floor])}); ROOM_OF_HEADER has headers without a source"
+        if other is None or other == mine or other in ROOMS[floor][mine]:
+            return None
+        return f"{floor}/{mine} must not include {floor}/{other}"
+
+
 def violations(root: Path) -> tuple[list[str], int]:
-    found, files = [], 0
+    found, files, rooms = [], 0, Rooms(root)
     for base in (root / "include" / "brinell", root / "src"):
         for path in sorted(base.rglob("*")):
             if path.suffix not in SOURCES:
@@ -71,19 +136,46 @@ def violations(root: Path) -> tuple[list[str], int]:
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
                 match = INCLUDE.match(line)
-                why = match and reason(floor, match.group(1))
+                why = match and (reason(floor, match.group(1)) or rooms.reason(path, floor, match.group(1)))
                 if why:
                     found.append(f"{name}:{number}: {why}: {line.strip()}")
     return found, files
 
 
+def words(root: Path) -> dict[str, int]:
+    """Number of strings that say words of files, by file, of all floors below io."""
+    found: dict[str, int] = {}
+    for base in (root / "include" / "brinell", root / "src"):
+        for path in sorted(path for floor in FLOORS if floor != "io" for path in (base / floor).rglob("*")):
+            if path.suffix not in SOURCES:
+                continue
+            lines = (line.split("//", 1)[0] for line in path.read_text(encoding="utf-8").splitlines())
+            strings = (text for line in lines if not INCLUDE.match(line) for text in STRING.findall(line))
+            if count := sum(bool(WORD_OF_FILES.search(text)) for text in strings):
+                found[str(path.relative_to(root))] = count
+    return found
+
+
+def words_refused(root: Path) -> list[str]:
+    rows = (line.split() for line in WORDS_LEFT.read_text(encoding="utf-8").splitlines())
+    left = {file: int(count) for count, file in rows}
+    found = words(root)
+    return [
+        f"{file}: {found.get(file, 0)} strings say words of case files, commands or results, "
+        f"{left.get(file, 0)} in {WORDS_LEFT.name}, which may only shrink"
+        for file in sorted(found.keys() | left.keys())
+        if found.get(file, 0) != left.get(file, 0)
+    ]
+
+
 def main() -> int:
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent)
     found, files = violations(root)
-    for message in found:
+    refused = words_refused(root)
+    for message in found + refused:
         print(message)
-    print(f"layers: {files} files, {len(found)} upward includes")
-    return 1 if found else 0
+    print(f"layers: {files} files, {len(found)} upward includes; {sum(words(root).values())} words of files below io")
+    return 1 if found or refused else 0
 
 
 if __name__ == "__main__":

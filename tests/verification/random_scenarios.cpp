@@ -3,7 +3,7 @@
 
 #include "brinell/reference/hertz.hpp"
 #include "scenario_runs.hpp"
-#include "simulation/footprint.hpp"
+#include "simulation/plan/footprint.hpp"
 
 #include <limits>
 #include <numbers>

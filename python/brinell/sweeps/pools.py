@@ -80,6 +80,7 @@ class LocalPool:
         self._listener, self._teller = multiprocessing.Pipe(duplex=False)
         self._executors: dict[Future[Outcome], ProcessPoolExecutor] = {}
         self._idle: list[ProcessPoolExecutor | None] = [None] * (workers - 1)
+        self._all: list[ProcessPoolExecutor] = []  # also one that Ctrl-C has taken between idle and busy
         self._losses: list[str] = []
         first = self._executor()
         self._idle.append(first)
@@ -117,6 +118,7 @@ class LocalPool:
             outcome = future.result()
         except BrokenProcessPool as error:
             executor.shutdown()
+            self._all.remove(executor)
             self._idle.append(None)
             self._losses.append("a process came to a sudden end; its run is computed again by another one")
             raise Lost from error
@@ -130,7 +132,9 @@ class LocalPool:
 
     def _executor(self) -> ProcessPoolExecutor:
         context = multiprocessing.get_context("spawn")  # a fork would copy the state of OpenMP's threads
-        return ProcessPoolExecutor(1, mp_context=context, initializer=_begin, initargs=(self._listener,))
+        executor = ProcessPoolExecutor(1, mp_context=context, initializer=_begin, initargs=(self._listener,))
+        self._all.append(executor)
+        return executor
 
     def stop(self) -> None:
         """Interrupts the runs as Ctrl-C does."""
@@ -139,9 +143,8 @@ class LocalPool:
     def close(self) -> None:
         """Waits for the processes to end."""
         self._teller.close()
-        for executor in [*self._idle, *self._executors.values()]:
-            if executor is not None:
-                executor.shutdown(cancel_futures=True)
+        for executor in self._all:
+            executor.shutdown(cancel_futures=True)
         self._listener.close()
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One increment of two elastic-plastic bodies: the conditions its result must meet.
-#include "elastoplastic/stop_rules.hpp"
+#include "elastoplastic/increment/stop_rules.hpp"
 #include "sphere_press.hpp"
 #include "state_comparison.hpp"
 

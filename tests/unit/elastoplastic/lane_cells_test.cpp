@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elastoplastic/lane_cells.hpp"
+#include "elastoplastic/body/lane_cells.hpp"
 
 #include "random_field.hpp"
 

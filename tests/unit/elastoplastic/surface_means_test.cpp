@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elastoplastic/surface_means.hpp"
+#include "elastoplastic/body/surface_means.hpp"
 
 #include "random_field.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "halfspace/depth_waves.hpp"
+#include "halfspace/transform/depth_waves.hpp"
 
-#include "halfspace/heat_memory.hpp"
+#include "halfspace/heat/heat_memory.hpp"
 
 #include <gtest/gtest.h>
 

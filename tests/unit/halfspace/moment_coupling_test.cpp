@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kernels that are polynomials of distances, applied by moments, against the kernels themselves.
-#include "halfspace/moment_coupling.hpp"
-#include "halfspace/wave_coupling.hpp"
+#include "halfspace/strain/moment_coupling.hpp"
+#include "halfspace/strain/wave_coupling.hpp"
 
 #include "foundation/lane_functions.hpp"
 

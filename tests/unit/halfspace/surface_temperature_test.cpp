@@ -3,7 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "grid_fields.hpp"
-#include "halfspace/coarser_surface.hpp"
+#include "halfspace/transform/coarser_surface.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>

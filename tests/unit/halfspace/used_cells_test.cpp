@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cells without strain, which evaluations leave out.
-#include "halfspace/used_cells.hpp"
+#include "halfspace/transform/used_cells.hpp"
 
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"

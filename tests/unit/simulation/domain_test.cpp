@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/domain.hpp"
+#include "simulation/plan/domain.hpp"
 
 #include "brinell/simulation/quality.hpp"
 #include "brinell/simulation/run.hpp"
 #include "domain_cases.hpp"
-#include "simulation/footprint.hpp"
-#include "simulation/roughness.hpp"
+#include "simulation/plan/footprint.hpp"
+#include "simulation/plan/roughness.hpp"
 
 #include <gtest/gtest.h>
 

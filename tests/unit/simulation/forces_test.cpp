@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/forces.hpp"
-#include "simulation/friction.hpp"
+#include "simulation/plan/friction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/indent.hpp"
+#include "simulation/motion/indent.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "brinell/simulation/run.hpp"
 #include "brinell/simulation/tugging.hpp"
 #include "domain_cases.hpp"
-#include "simulation/footprint.hpp"
+#include "simulation/plan/footprint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/random_surface.hpp"
+#include "simulation/surfaces/random_surface.hpp"
 
 #include "brinell/foundation/error.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What happens to an increment that does not converge: it is halved, and a piece that still does not converge is solved by
 // the plain fixed point. Both must end where an increment with all the evaluations it wants ends.
-#include "simulation/stepper.hpp"
+#include "simulation/stepping/stepper.hpp"
 
 #include "brinell/foundation/error.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/records.hpp"
-#include "simulation/tugging_peaks.hpp"
+#include "simulation/motion/tugging_peaks.hpp"
+#include "simulation/stepping/records.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/symmetry.hpp"
+#include "simulation/plan/symmetry.hpp"
 
 #include <gtest/gtest.h>
 

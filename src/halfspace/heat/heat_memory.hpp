@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/halfspace/heat_response.hpp"
+#include "buried_heat.hpp"
+#include "halfspace/transform/depth_sums.hpp"
+#include "halfspace/transform/independent_rows_fft.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace brinell::halfspace
+{
+
+/// A row of waves of the temperature T at one depth, and its potential psi there: lap(psi) = -T with d psi/dz = 0 at the surface.
+struct HeatRow
+{
+  double depth; ///< [m]
+  std::span<const SurfaceWave> waves;
+  std::span<const double> decay;                 ///< e^{-kz}; empty at the surface
+  std::span<const Complex> temperature;          ///< [K]
+  std::span<const Complex> potential, slope;     ///< k psi and d psi/dz [K m]
+  std::span<const Complex> potential_at_surface; ///< k psi for z = 0 [K m]
+};
+
+/// Memory of one periodic surface: for each wave in depth and along the surface, the heat that is left of all that has entered.
+class HeatMemory
+{
+public:
+  /// Heat of each wave along the surface and in depth. What `amend` adds is the same for all waves in depth except for a factor
+  /// that depends on the motion only. It is therefore stored separately, and added to the waves by the next step, which changes
+  /// all of them anyway.
+  struct Heat
+  {
+    /// [row][block][wave] [K m]: a block holds neighbouring columns of a row in lanes, one wave in depth after the other.
+    AlignedVector<ComplexLanes> waves;
+    AlignedVector<Complex> amended{};   ///< heat per step that is not yet in the waves, [plane] [K m]; empty: none
+    HeatMotion motion{.duration = 0.0}; ///< of the step that was amended
+  };
+
+  /// @param grid      grid of flux and temperature
+  /// @param px, py    periods, in cells of the grid
+  /// @param surface   factors of all waves in depth at the surface, of which `waves` are the last ones
+  /// @param symmetry  of all fluxes; with one, only the independent rows of waves are stored
+  /// @param layers    layers in which heat may be generated; nullptr: none
+  HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
+             const DepthFactors& surface, Symmetry symmetry,
+             const std::shared_ptr<const LayeredConduction>& layers = nullptr);
+
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.full_plane().grid(); }
+  [[nodiscard]] int period_x() const { return fft_.full_plane().px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return fft_.full_plane().py(); }
+  [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
+
+  /// Adds `factor` times the temperature of the surface that remains after `duration`, for a flux that is uniform in each cell.
+  /// @param heated  grid of these cells
+  void add_remaining(double duration, double factor, const SurfaceGrid& heated, std::span<double> temperature) const;
+
+  /// Adds `factor` times the temperature of the surface due to the heat generated in the body, in its present state.
+  void add_buried(double factor, std::span<double> temperature) const;
+
+  using Window = IndependentRowsFft::Window;
+  [[nodiscard]] Window whole() const { return fft_.whole(); }
+  /// Definition of some fields at one depth.
+  struct FieldsOfHeat
+  {
+    /// Computes a row of their waves from a row of the heat and writes it to the beginning of each of `out`.
+    std::function<void(const HeatRow&, std::span<Complex* const> out)> waves;
+    std::vector<bool> is_odd; ///< whether each field is odd in y if the flux is even
+  };
+  /// `factor` times the fields that remain after `duration`, for a flux that is the trigonometric interpolant of its cell values.
+  /// For duration = 0 they are those at the end of the last step. Heat generated in the body is included in its present state.
+  /// @param depths  for each depth, the factors of all waves in depth, of which those of this memory are the last ones
+  /// @param out     [depth][field][cell], with the same fields at each depth
+  /// @param adds    whether the result is added to `out`; otherwise `out` is overwritten
+  /// @param window  cells for which the fields are computed
+  void fields(double duration, double factor, std::span<const DepthFactors> depths, const FieldsOfHeat& fields_of_heat,
+              const std::vector<std::span<double>>& out, bool adds, const Window& window) const;
+
+  /// A step: the stored heat decays over the duration of the motion, and the heat of its flux is added.
+  /// @param before  receives the heat before the step; may be nullptr
+  void take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before = nullptr);
+  /// Adds more flux to the last step, over whose duration the stored heat has already decayed.
+  void amend(std::span<const double> flux, const HeatMotion& motion);
+
+  /// A step of the heat generated in the body: `BuriedHeat::take_up`.
+  /// @param rise  of each of its layers [K], one field each; empty ones are zero
+  void take_up_in_body(const std::vector<std::vector<double>>& rise, double duration);
+  void go_back_in_body() { buried_->go_back(); }
+
+  [[nodiscard]] const Heat& heat() const { return heat_; }
+  void set_heat(const Heat& heat);
+  /// The heat in a layout that does not depend on the symmetry; real and imaginary parts alternate.
+  struct WholeHeat
+  {
+    std::vector<double> waves, amended;
+    HeatMotion motion{.duration = 0.0};
+  };
+  [[nodiscard]] WholeHeat whole_heat() const;
+  void set_whole_heat(const WholeHeat& heat);
+  /// Likewise for the heat in the body; empty if no heat can be generated there.
+  [[nodiscard]] std::vector<double> whole_heat_in_body() const;
+  void set_whole_heat_in_body(std::span<const double> values);
+
+private:
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.full_plane().kx()); }
+  /// Index of the first wave of a row.
+  [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
+  [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
+  /// Number of blocks of `lane_count` columns in a row; lanes beyond the last column are zero.
+  [[nodiscard]] std::size_t blocks() const { return (columns() + lane_count - 1) / lane_count; }
+  [[nodiscard]] std::size_t block_of(int row) const { return static_cast<std::size_t>(row) * blocks(); }
+  using RowOfHeat = AlignedVector<ComplexLanes>;
+  [[nodiscard]] const ComplexLanes* heat_of_row(int row, RowOfHeat& buffer) const;
+  /// Task of `fields`, the same for every row.
+  struct RowOfFields
+  {
+    double duration, factor;
+    bool has_buried;                     ///< whether there is heat in the body
+    const DepthSums* sums;               ///< nullptr if only the surface is wanted
+    const Complex *at_surface, *slowest; ///< as in `SurfaceSums`; used if `sums` is nullptr
+    std::span<const DepthFactors> depths;
+    const FieldsOfHeat& fields_of_heat;
+    Complex* spectra;                 ///< [depth][field][plane]
+    std::span<const int> significant; ///< for each depth, the number of columns that are not negligible in any row
+  };
+  [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
+  /// Sums of a row, for the heat that entered at the surface and for the heat generated in the body.
+  struct Row
+  {
+    DepthSums::Row of_surface;
+    DecayInDepth decay;
+    AlignedVector<Lanes> left{}; ///< decay of each wave along the surface, times the factor: [block]
+    std::vector<Complex*> out{}; ///< fields at a depth
+    BuriedHeat::Row buried{};
+    RowOfHeat heat{}; ///< with what was amended
+  };
+  [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
+  void add_row(int row, const RowOfFields& wanted, Row& sums) const;
+  void write_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
+  [[nodiscard]] std::vector<int> significant_columns(std::span<const DepthFactors> depths, bool has_buried) const;
+  void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
+  [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
+  [[nodiscard]] AlignedVector<Complex> independent_rows_of(std::span<const double> values) const;
+  void find_surface_potential(int row, const RowOfFields& wanted, Row& sums) const;
+  [[nodiscard]] AlignedVector<Complex> planes() const;
+
+  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid
+  /// until the next step.
+  struct SurfaceSums
+  {
+    double duration;
+    AlignedVector<Complex> temperature; ///< that remains after `duration`
+    /// After `duration`, and now; and the heat of the slowest wave in depth. Empty if only the temperature is wanted.
+    AlignedVector<Complex> potential, potential_now, slowest;
+  };
+  /// Decay and shift of neighbouring waves along the surface in a step.
+  struct StepOfBlock
+  {
+    Lanes rate, phase;            ///< z = rate + i phase, both times the duration
+    Lanes left, left_re, left_im; ///< e^{-rate} and e^{-z}
+  };
+  struct Step
+  {
+    HeatMotion motion;
+    AlignedVector<StepOfBlock> blocks;     ///< [row][block]
+    std::vector<double> rates, left;       ///< of the waves in depth: kappa s^2 t, and e^{-that}
+    std::optional<SurfaceSums> response{}; ///< of unit heat in each wave along the surface; planned when it is needed
+  };
+  /// Weights of the waves in depth in these sums.
+  struct SurfaceWeights
+  {
+    std::size_t first_left = 0; ///< first wave that has not decayed after the duration
+    std::vector<double> temperature, potential, potential_now;
+  };
+  void plan_step(const HeatMotion& motion);
+  void step_from(const Heat& before, const AlignedVector<Complex>& heat);
+  void add_amended(const Heat& from);
+  void fill_amended(int row, const Complex* amended, const ComplexLanes* before, ComplexLanes* heat) const;
+  [[nodiscard]] AlignedVector<Complex> heat_of(std::span<const double> flux, const HeatMotion& motion) const;
+  [[nodiscard]] SurfaceSums find_response() const;
+  [[nodiscard]] Lanes left_along(std::size_t block, double duration) const;
+  [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
+  [[nodiscard]] SurfaceSums empty_sums(double duration) const;
+  // A run that goes on from a checkpoint computes the sums anew, and must find the same digits. Inlined at two places, the same
+  // lines may be compiled to other orders of multiplication and addition.
+  [[gnu::noinline]] static void add_response(const SurfaceSums& response, const AlignedVector<Complex>& heat,
+                                             SurfaceSums& sums);
+  [[gnu::noinline]] void sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights,
+                                 SurfaceSums& sums) const;
+  [[nodiscard]] SurfaceSums find_sums(double duration) const;
+
+  IndependentRowsFft fft_;
+  double diffusivity_, conductivity_;
+  DepthWaves waves_;
+  std::vector<double> at_surface_; ///< weights of all waves except the last one in the potential at the surface
+  std::vector<SurfaceWave> along_; ///< [plane]
+  AlignedVector<Lanes> k_;         ///< [row][block]
+  Heat heat_;
+  AlignedVector<Lanes> slow_share_; ///< [row][block], only for fields
+  std::optional<Step> step_;        ///< the last step that was planned
+  std::optional<SurfaceSums> sums_; ///< of the present heat
+  std::optional<BuriedHeat> buried_;
+};
+
+} // namespace brinell::halfspace

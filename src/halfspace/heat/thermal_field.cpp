@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/thermal_field.hpp"
+
+#include "brinell/foundation/deviator.hpp"
+#include "foundation/require_size.hpp"
+#include "halfspace/transform/require_surface.hpp"
+#include "open_heat_memory.hpp"
+#include "thermal_wave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+#include <mutex>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// Trace and deviator of the thermal stress of a row of waves, as by `stress_wave` for each wave, with the condition of a
+/// traction-free surface inserted: zz = k [(1 + kz) S - psi], and so the trace is 2 [(1 + nu) k S - T], where S is e^{-kz} times
+/// the potential at the surface. Real and imaginary parts are computed separately so that the compiler can vectorise over the
+/// waves.
+class StressOfRow
+{
+public:
+  StressOfRow(double poisson_ratio, double scale) : nu_(poisson_ratio), scale_(scale) {}
+
+  void trace(const HeatRow& heat, Complex* out) const
+  {
+    const double *temperature = parts(heat.temperature), *surface = parts(heat.potential_at_surface);
+    auto* to = reinterpret_cast<double*>(out);
+#pragma omp simd
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const double of_surface = (1.0 + nu_) * heat.waves[i].k * heat.decay[i];
+      to[2 * i] = 2.0 * scale_ * (of_surface * surface[2 * i] - temperature[2 * i]);
+      to[2 * i + 1] = 2.0 * scale_ * (of_surface * surface[2 * i + 1] - temperature[2 * i + 1]);
+    }
+  }
+
+  /// @param out  five components
+  void deviator(const HeatRow& heat, std::span<Complex* const> out) const
+  {
+    const double *temperature = parts(heat.temperature), *potential = parts(heat.potential), *slope = parts(heat.slope),
+                 *surface = parts(heat.potential_at_surface), *decay = heat.decay.data();
+    const SurfaceWave* waves = heat.waves.data();
+    const auto to = [&](int component) { return reinterpret_cast<double*>(out[static_cast<std::size_t>(component)]); };
+    double *xx = to(Deviator::xx), *yy = to(Deviator::yy), *yz = to(Deviator::yz), *xz = to(Deviator::xz),
+           *xy = to(Deviator::xy);
+    const double depth = heat.depth, nu = nu_, scale = scale_, third = 1.0 / 3.0;
+#pragma omp simd
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const SurfaceWave& wave = waves[i];
+      const double kz = wave.k * depth, inverse = wave.k > 0.0 ? scale / wave.k : 0.0;
+      const double along = wave.kx * wave.kx * inverse, across = wave.ky * wave.ky * inverse,
+                   both = wave.odd_x * wave.odd_y * inverse, of_slope_x = scale * wave.odd_x,
+                   of_slope_y = scale * wave.odd_y;
+      const std::size_t re = 2 * i, im = re + 1;
+      const double s_re = decay[i] * surface[re], s_im = decay[i] * surface[im];
+      const double of_bent = 1.0 - 2.0 * nu - kz, of_all = third * (4.0 * nu - 2.0) * wave.k;
+      const double bent_re = potential[re] + of_bent * s_re, bent_im = potential[im] + of_bent * s_im;
+      const double all_re = scale * (of_all * s_re - third * temperature[re]),
+                   all_im = scale * (of_all * s_im - third * temperature[im]);
+      // -i times the slope
+      const double slope_re = slope[im] + kz * s_im, slope_im = -(slope[re] + kz * s_re);
+      xx[re] = all_re + along * bent_re;
+      xx[im] = all_im + along * bent_im;
+      yy[re] = all_re + across * bent_re;
+      yy[im] = all_im + across * bent_im;
+      yz[re] = of_slope_y * slope_re;
+      yz[im] = of_slope_y * slope_im;
+      xz[re] = of_slope_x * slope_re;
+      xz[im] = of_slope_x * slope_im;
+      xy[re] = both * bent_re;
+      xy[im] = both * bent_im;
+    }
+  }
+
+private:
+  static const double* parts(std::span<const Complex> values)
+  {
+    return reinterpret_cast<const double*>(values.data());
+  }
+
+  double nu_, scale_; ///< 2 mu alpha (1 + nu)/(1 - nu)
+};
+
+double largest_of(const std::vector<double>& depths)
+{
+  return depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
+}
+
+} // namespace
+
+namespace
+{
+
+/// Factors of the waves at the depths, computed when a depth is first requested, because a plan may contain depths that are never
+/// used. Thread-safe.
+class LayerFactors
+{
+public:
+  LayerFactors(DepthWaves waves, std::vector<double> depths) : waves_(std::move(waves)), depths_(std::move(depths))
+  {
+    found_.reserve(depths_.size()); // so that elements are never moved
+  }
+  [[nodiscard]] std::span<const DepthFactors> some(std::size_t first, std::size_t count)
+  {
+    const std::lock_guard lock(mutex_);
+    if (const std::size_t there = found_.size(), wanted = first + count; there < wanted)
+      for (DepthFactors& factors : depth_factors(waves_, std::span(depths_).subspan(there, wanted - there)))
+        found_.push_back(std::move(factors));
+    return std::span<const DepthFactors>(found_.data() + first, count);
+  }
+
+private:
+  DepthWaves waves_;
+  std::vector<double> depths_;
+  std::mutex mutex_;
+  std::vector<DepthFactors> found_;
+};
+
+} // namespace
+
+struct ThermalField::State
+{
+  Elastic elastic;
+  double expansion; ///< alpha [1/K]
+  double strain;    ///< of a layer constrained along the surface: alpha (1 + nu)/(1 - nu) [1/K]
+  double capacity;  ///< rho c [J/(m^3 K)]
+  std::vector<double> depths;
+  OpenHeatMemory memory;
+  std::unique_ptr<LayerFactors> layers{};
+  DepthFactors surface{};
+
+  struct Layers
+  {
+    std::size_t first, count;
+  };
+  void find_layers(double duration, const Layers& which, const ThermalLayer& wanted,
+                   const std::vector<std::span<double>>& fields, const HeatMemory::Window& window) const;
+  void tabulate()
+  {
+    surface = surface_factors(memory.waves());
+    layers = std::make_unique<LayerFactors>(memory.waves(), depths);
+  }
+};
+
+/// @param wanted  the parts that are not empty determine which fields of each layer are computed
+void ThermalField::State::find_layers(double duration, const Layers& which, const ThermalLayer& wanted,
+                                      const std::vector<std::span<double>>& fields,
+                                      const HeatMemory::Window& window) const
+{
+  const double scale = 2.0 * elastic.shear_modulus() * strain;
+  const bool has_temperature = !wanted.temperature.empty(), has_trace = !wanted.trace.empty(),
+             has_deviator = !wanted.deviator.empty();
+  std::vector<bool> is_odd(static_cast<std::size_t>(has_temperature) + static_cast<std::size_t>(has_trace), false);
+  for (int c = 0; has_deviator && c < Deviator::size; ++c)
+    is_odd.push_back(is_odd_in_y(c));
+  const StressOfRow stress(elastic.poisson_ratio, scale);
+  const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
+  {
+    std::size_t field = 0;
+    if (has_temperature)
+      std::copy(heat.temperature.begin(), heat.temperature.end(), to[field++]);
+    if (has_trace)
+      stress.trace(heat, to[field++]);
+    if (has_deviator)
+      stress.deviator(heat, to.subspan(field));
+  };
+  memory.fields("ThermalField::layer", duration, layers->some(which.first, which.count), {waves, is_odd}, fields,
+                window);
+}
+
+ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images, Symmetry symmetry,
+                           const HeatedLayers& heated)
+{
+  for (const double depth : depths)
+    if (!(depth >= 0.0) || std::isinf(depth))
+      throw InputError(fmt::format("ThermalField: a depth of {} m; allowed: 0 and above", depth));
+  if (elastic.is_rigid() && !depths.empty())
+    throw InputError("ThermalField: a rigid body has no stress at any depth; allowed: an elastic body, or no depths");
+  if (!std::isfinite(thermal.expansion))
+    throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
+  const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
+  state_ = make_hidden<State>(
+      elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu), thermal.density * thermal.specific_heat,
+      std::move(depths), OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, symmetry, heated}));
+  state_->tabulate();
+}
+
+const SurfaceGrid& ThermalField::grid() const
+{
+  return state_->memory.grid();
+}
+
+const std::vector<double>& ThermalField::depths() const
+{
+  return state_->depths;
+}
+
+double ThermalField::time() const
+{
+  return state_->memory.time();
+}
+
+void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motion)
+{
+  state_->memory.take_up("ThermalField::take_up", flux, motion);
+}
+
+void ThermalField::amend(std::span<const double> flux, const HeatMotion& motion)
+{
+  state_->memory.amend("ThermalField::amend", flux, motion);
+}
+
+void ThermalField::take_up_in_body(std::span<const double> heat, double duration)
+{
+  std::vector<double> rise(heat.begin(), heat.end());
+  for (double& value : rise)
+    value /= state_->capacity;
+  state_->memory.take_up_in_body("ThermalField::take_up_in_body", rise, duration);
+}
+
+void ThermalField::go_back_in_body()
+{
+  state_->memory.go_back_in_body();
+}
+
+void ThermalField::add_temperature_of_body(std::span<double> temperature) const
+{
+  require_size("ThermalField::add_temperature_of_body: the temperature", temperature, grid().size());
+  state_->memory.add_temperature_of_body(temperature);
+}
+
+struct ThermalField::Heat
+{
+  OpenHeatMemory::Heat of_memory;
+};
+
+Hidden<ThermalField::Heat> ThermalField::heat() const
+{
+  return make_hidden<Heat>(state_->memory.heat());
+}
+
+void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before)
+{
+  if (before.empty())
+    before = make_hidden<Heat>();
+  state_->memory.take_up("ThermalField::take_up", flux, motion, &before->of_memory);
+}
+
+void ThermalField::go_back(const Hidden<Heat>& heat)
+{
+  state_->memory.set_heat(heat->of_memory);
+}
+
+void ThermalField::exchange(Archive& archive)
+{
+  state_->memory.exchange(archive);
+}
+
+void ThermalField::remaining_temperature(double duration, std::span<double> temperature) const
+{
+  state_->memory.remaining("ThermalField::remaining_temperature", duration, temperature);
+}
+
+void ThermalField::displacement(const SurfaceDisplacement& displacement, double duration) const
+{
+  constexpr const char* name = "ThermalField::displacement";
+  require_displacement(name, displacement, grid().size());
+  const State& state = *state_;
+  const double factor = -2.0 * (1.0 + state.elastic.poisson_ratio) * state.expansion;
+  // A uniform temperature of a body periodic along both axes causes expansion along z only.
+  const double of_uniform = grid().is_periodic() ? -state.strain : factor;
+  std::vector<std::span<double>> out;
+  std::vector<bool> is_odd;
+  for (const auto& [part, odd] : {std::pair{displacement.z, false}, {displacement.x, false}, {displacement.y, true}})
+    if (!part.empty())
+    {
+      out.push_back(part);
+      is_odd.push_back(odd);
+    }
+  const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
+  {
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const SurfaceWave& wave = heat.waves[i];
+      const Complex potential = (wave.k > 0.0 ? factor : of_uniform) * heat.potential_at_surface[i];
+      const Complex along = wave.k > 0.0 ? -1.0 / wave.k * divided_by_i(potential) : Complex{};
+      auto field = to.begin();
+      if (!displacement.z.empty())
+        (*field++)[i] = potential;
+      if (!displacement.x.empty())
+        (*field++)[i] = wave.odd_x * along;
+      if (!displacement.y.empty())
+        (*field++)[i] = wave.odd_y * along;
+    }
+  };
+  state.memory.fields(name, duration, {&state.surface, 1}, {waves, is_odd}, out, state.memory.whole());
+}
+
+namespace
+{
+
+/// The parts of a layer whose spans are not empty.
+std::vector<std::span<double>> wanted(const ThermalLayer& out, std::size_t cells)
+{
+  require_part("ThermalField::layer", "temperature", out.temperature, cells);
+  require_part("ThermalField::layer", "deviator", out.deviator, Deviator::size * cells);
+  require_part("ThermalField::layer", "trace", out.trace, cells);
+  std::vector<std::span<double>> fields;
+  if (!out.temperature.empty())
+    fields.push_back(out.temperature);
+  if (!out.trace.empty())
+    fields.push_back(out.trace);
+  if (!out.deviator.empty())
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      fields.push_back(out.deviator.subspan(c * cells, cells));
+  return fields;
+}
+
+} // namespace
+
+void ThermalField::layer(std::size_t layer, const ThermalLayer& out, double duration) const
+{
+  layers(layer, {&out, 1}, duration);
+}
+
+void ThermalField::layers(std::size_t first, std::span<const ThermalLayer> out, double duration) const
+{
+  const State& state = *state_;
+  if (first + out.size() > state.depths.size())
+    throw InternalError(
+        fmt::format("ThermalField::layers: layer {} of {}", first + out.size() - 1, state.depths.size()));
+  std::vector<std::span<double>> fields;
+  for (const ThermalLayer& layer : out)
+    for (const std::span<double>& field : wanted(layer, grid().size()))
+      fields.push_back(field);
+  if (!fields.empty())
+    state.find_layers(duration, {first, out.size()}, out.front(), fields, state.memory.whole());
+}
+
+bool ThermalField::holds(const SurfaceGrid& cells) const
+{
+  return cells.nx <= grid().nx && cells.ny <= grid().ny && (grid().nx - cells.nx) % 2 == 0 &&
+         (grid().ny - cells.ny) % 2 == 0;
+}
+
+void ThermalField::in_body(const VolumeGrid& body, const ThermalLayer& out) const
+{
+  const State& state = *state_;
+  const SurfaceGrid& cells = body.surface;
+  const auto count = static_cast<std::size_t>(body.nz);
+  if (!holds(cells) || count > state.depths.size())
+    throw InternalError("ThermalField::in_body: the body is not within the grid and the layers");
+  require_part("ThermalField::in_body", "temperature", out.temperature, body.size());
+  require_part("ThermalField::in_body", "deviator", out.deviator, Deviator::size * body.size());
+  require_part("ThermalField::in_body", "trace", out.trace, body.size());
+  std::vector<std::span<double>> fields;
+  for (std::size_t k = 0; k < count; ++k)
+    for (const std::span<double>& part : {out.temperature, out.trace, out.deviator})
+      for (std::size_t at = k * cells.size(); at < part.size(); at += body.size())
+        fields.push_back(part.subspan(at, cells.size()));
+  if (!fields.empty())
+    state.find_layers(0.0, {0, count}, out, fields,
+                      {(grid().nx - cells.nx) / 2, cells.nx, (grid().ny - cells.ny) / 2, cells.ny});
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/half_space.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "foundation/fft.hpp"
+#include "half_space_operators.hpp"
+#include "halfspace/transform/require_surface.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <omp.h>
+
+namespace brinell::halfspace
+{
+
+HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
+    : operators_(std::make_unique<Operators>(grid, elastic, 0.0))
+{
+}
+
+namespace
+{
+
+/// Fraction of the couplings that is retained for the shortest wave along x (see EigenstrainStress), such that a strain within a
+/// part causes the same amplitude of this wave as on the whole grid: a transform of p columns omits 1/p of the response between
+/// each pair of cells, with alternating signs.
+double shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
+{
+  const int columns = padded_lengths(part).x, of_whole = padded_lengths(whole).x;
+  return of_whole % 2 == 0 ? std::max(0.0, 1.0 - static_cast<double>(columns) / of_whole) : 1.0;
+}
+
+} // namespace
+
+HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole)
+    : operators_(std::make_unique<Operators>(grid, elastic, shortest_of_part(grid.surface, whole)))
+{
+}
+
+HalfSpace::~HalfSpace() = default;
+HalfSpace::HalfSpace(HalfSpace&&) noexcept = default;
+HalfSpace& HalfSpace::operator=(HalfSpace&&) noexcept = default;
+
+const VolumeGrid& HalfSpace::grid() const
+{
+  return operators_->grid;
+}
+
+const Elastic& HalfSpace::elastic() const
+{
+  return operators_->elastic;
+}
+
+HalfSpace::Work::Work() = default;
+HalfSpace::Work::~Work() = default;
+HalfSpace::Work::Work(Work&&) noexcept = default;
+HalfSpace::Work& HalfSpace::Work::operator=(Work&&) noexcept = default;
+
+HalfSpace::Work HalfSpace::make_work() const
+{
+  Work work;
+  work.buffers_ = operators_->make_buffers(false);
+  return work;
+}
+
+void HalfSpace::exchange_buffers(Work& guest, Work& host)
+{
+  for (const auto spectra : Work::Buffers::lent())
+    ((*guest.buffers_).*spectra).swap((*host.buffers_).*spectra);
+  // The buffers of the host hold as many blocks as it works on at a time, which may be fewer than the guest would choose.
+  std::swap(guest.buffers_->blocks_at_a_time, host.buffers_->blocks_at_a_time);
+  ++host.buffers_->number; // the strain that it held is lost
+}
+
+HalfSpace::Work HalfSpace::make_guest() const
+{
+  Work work;
+  work.buffers_ = operators_->make_buffers(true);
+  return work;
+}
+
+HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work,
+                                  Displacements displacements, Symmetry symmetry) const
+{
+  require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * grid().size());
+  if (layers < 0 || layers > grid().nz)
+    throw InternalError(fmt::format("HalfSpace::load: {} layers are wanted, the grid has {}", layers, grid().nz));
+  if (work.empty())
+    throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
+  work.buffers_->symmetry = symmetry;
+  operators_->load_strain(plastic_strain, layers, displacements, *work.buffers_, nullptr);
+  return {*operators_, plastic_strain, *work.buffers_};
+}
+
+HalfSpace::Loaded::Loaded(const Operators& operators, std::span<const double> plastic_strain, Work::Buffers& buffers)
+    : operators_(&operators), plastic_strain_(plastic_strain), buffers_(&buffers), number_(buffers.number)
+{
+}
+
+void HalfSpace::Loaded::require_current(const char* function_name) const
+{
+  if (number_ != buffers_->number)
+    throw InternalError(fmt::format("{}: the buffers hold another strain by now", function_name));
+}
+
+void HalfSpace::Loaded::displacement(const SurfaceDisplacement& out) const
+{
+  const Operators& op = *operators_;
+  require_displacement("HalfSpace::Loaded::displacement", out, op.grid.surface.size());
+  require_current("HalfSpace::Loaded::displacement");
+  const Displacements prepared = buffers_->displacements;
+  if ((prepared == Displacements::normal && !out.x.empty()) || (prepared != Displacements::all && !out.y.empty()))
+    throw InternalError("HalfSpace::Loaded::displacement: the load was not asked for this displacement");
+  const OfTraction<std::span<double>> parts{out.z, out.x, out.y};
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    if (!parts[t].empty())
+      op.surface_fft.rows_inverse(buffers_->displacement_rows[t].data(), 0, parts[t].data(),
+                                  buffers_->threads.front().fft);
+}
+
+void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviator) const
+{
+  const Operators& op = *operators_;
+  require_load("HalfSpace::Loaded::stress", load, op.grid.surface.size());
+  require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.grid.size());
+  require_current("HalfSpace::Loaded::stress");
+  op.load_surface(load, *buffers_);
+  if (buffers_->symmetry == Symmetry::none)
+    op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
+  else
+    op.add_load_and_invert_mirrored(load, plastic_strain_, *buffers_, deviator);
+}
+
+void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
+                            std::span<double> deviator, std::span<double> trace, int layers) const
+{
+  const Operators& op = *operators_;
+  const VolumeGrid& grid = op.grid;
+  const int computed = std::min(layers, grid.nz);
+  require_load("HalfSpace::full_stress", load, grid.surface.size());
+  require_size("HalfSpace::full_stress: the plastic strain", plastic_strain, Deviator::size * grid.size());
+  require_size("HalfSpace::full_stress: the deviator", deviator, Deviator::size * grid.size());
+  require_size("HalfSpace::full_stress: the trace", trace, grid.size());
+  if (work.empty())
+    throw InternalError("HalfSpace::full_stress: the work is empty; make_work makes one");
+  Work::Buffers& buffers = *work.buffers_;
+  const BlockedFft& fft = op.trace_fft;
+  AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
+  buffers.symmetry = Symmetry::none;
+  op.load_strain(plastic_strain, computed, Displacements::normal, buffers, spectra.data());
+  Loaded(op, plastic_strain, buffers).stress(load, deviator);
+  const auto kernels = op.kernels_of(parts_of(load));
+  const auto threads = static_cast<int>(buffers.threads.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (int layer = 0; layer < computed; ++layer)
+  {
+    double* field = trace.data() + op.field_at(0, layer);
+    op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers,
+                    buffers.threads[static_cast<std::size_t>(omp_get_thread_num())], field);
+    op.finish(ImageCorrection::trace, layer, plastic_strain, buffers, field);
+  }
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/halfspace/half_space.hpp"
+#include "eigenstrain_stress.hpp"
+#include "halfspace/traction/traction_stress.hpp"
+#include "halfspace/transform/mirrored_fft.hpp"
+#include "image_correction.hpp"
+
+#include <array>
+#include <mutex>
+#include <vector>
+
+/// Implementation of HalfSpace: transforms and kernels, and the order in which they are applied.
+namespace brinell::halfspace
+{
+
+inline constexpr OfTraction<Traction> tractions{Traction::pressure, Traction::shear_x, Traction::shear_y};
+[[nodiscard]] inline std::size_t index(Traction traction)
+{
+  return static_cast<std::size_t>(traction);
+}
+
+/// Which parts of a load are not empty.
+[[nodiscard]] inline OfTraction<bool> parts_of(const SurfaceLoad& load)
+{
+  return {!load.pressure.empty(), !load.shear_x.empty(), !load.shear_y.empty()};
+}
+[[nodiscard]] inline std::span<const double> part_of(const SurfaceLoad& load, Traction traction)
+{
+  return OfTraction<std::span<const double>>{load.pressure, load.shear_x, load.shear_y}[index(traction)];
+}
+
+struct HalfSpace::Work::Buffers
+{
+  struct Scratch
+  {
+    BlockedFft::Scratch fft;
+    EigenstrainStress::Scratch layers;
+    AlignedVector<ComplexLanes> rows; ///< of one plane
+    MirroredFft::Scratch mirrored;
+  };
+  std::vector<Scratch> threads; ///< one per thread
+  int blocks_at_a_time = 1;
+  AlignedVector<ComplexLanes> strain; ///< spectra of `blocks_at_a_time` blocks
+  AlignedVector<ComplexLanes>
+      stress; ///< spectra of the stress in all blocks, by the strain loaded; first, rows of the strain
+  /// Displacements of the surface by a few layers each, in one block: they are summed in the order of the layers, for any
+  /// number of threads.
+  AlignedVector<ComplexLanes> displacement_parts; ///< [block at a time][part][traction][pitch]
+  /// Only for the requested components; the others are empty.
+  OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
+  OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
+  ImageCorrection::Response images;
+  std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
+  Symmetry symmetry = Symmetry::none;                  ///< of the strain loaded
+  Displacements displacements = Displacements::normal; ///< prepared
+  int layers = 0;                                      ///< layers prepared
+  long number = 0;                                     ///< of the strain loaded
+
+  /// The buffers that a guest borrows: their size per block does not depend on the number of columns.
+  static constexpr auto lent() { return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts}; }
+
+  /// Rows of the strain, between its transforms along x and y, are stored at the end of the memory of the stress: the rows of a
+  /// block are read before the stress of this block is written, which ends before the rows of the next block begin.
+  /// @param size  number of values in the rows of all blocks
+  [[nodiscard]] ComplexLanes* rows(std::size_t size) { return stress.data() + (stress.size() - size); }
+};
+
+struct HalfSpace::Operators
+{
+  VolumeGrid grid;
+  Elastic elastic;
+  BlockedFft surface_fft; ///< of one plane
+  BlockedFft volume_fft;  ///< of a deviator field
+  BlockedFft trace_fft;   ///< of a scalar field
+  MirroredFft mirrored_fft;
+  EigenstrainStress eigenstrain_stress;
+  ImageCorrection image_correction;
+
+  /// @param shortest  see EigenstrainStress
+  Operators(const VolumeGrid& volume, const Elastic& constants, double shortest);
+
+  /// @param of_guest  leave out the buffers that a guest borrows
+  [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers(bool of_guest) const;
+  /// Kernels of the `wanted` components of the traction, nullptr for the others. Those of a shear are tabulated when they are
+  /// first needed.
+  [[nodiscard]] OfTraction<const TractionStress*> kernels_of(const OfTraction<bool>& wanted) const;
+  /// @param trace  nullptr, or spectra that receive the trace of the stress
+  void load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements, Work::Buffers& work,
+                   ComplexLanes* trace) const;
+  /// Transforms the load on the surface.
+  void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
+  void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
+                           std::span<double> stress) const;
+  /// The same with symmetry.
+  void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
+                                    Work::Buffers& work, std::span<double> stress) const;
+  /// One component of the stress, or its trace, in one layer: adds the stress of the surface load to the residual stress in the
+  /// spectra of all blocks, and transforms the sum back to the grid.
+  void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
+                    const ComplexLanes* spectra, int plane, const Work::Buffers& work, Work::Buffers::Scratch& scratch,
+                    double* field) const;
+  void finish(int component, int layer, std::span<const double> plastic_strain, const Work::Buffers& work,
+              double* field) const;
+  /// Position of one component in one layer of a field.
+  [[nodiscard]] std::size_t field_at(int component, int layer) const
+  {
+    return static_cast<std::size_t>(component * grid.nz + layer) * grid.surface.size();
+  }
+  /// Number of layers from the surface down to the deepest one with plastic strain.
+  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const;
+
+private:
+  void transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
+                        Work::Buffers::Scratch& scratch) const;
+  void transform_strain_mirrored(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
+                                 MirroredFft::Scratch& scratch) const;
+  int prepare_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
+                   Work::Buffers& work) const;
+  [[nodiscard]] CellRectangle strained_rows(int layer, const Work::Buffers& work) const;
+  /// The same plane of the spectra in the next block; for the last block, the plane itself.
+  [[nodiscard]] static const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane)
+  {
+    return block + 1 < fft.blocks() ? plane + fft.plane_at(1, 0) : plane;
+  }
+  [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
+  /// The threads that work on the same block: this one is number `rank` of `count`.
+  struct Team
+  {
+    int rank, count;
+  };
+  [[nodiscard]] ComplexLanes* strain_of(int block, Work::Buffers& work) const
+  {
+    return work.strain.data() + block % work.blocks_at_a_time * static_cast<std::ptrdiff_t>(volume_fft.block_size());
+  }
+  /// Position of a part in `displacement_parts`.
+  [[nodiscard]] ComplexLanes* displacement_part(int block, int part, Work::Buffers& work) const;
+  void process_blocks(int thread, int strained, const OfTraction<const TractionStress*>& kernels, Work::Buffers& work,
+                      ComplexLanes* trace) const;
+  void process_waves(int block, int strained, const OfTraction<const TractionStress*>& kernels, const Team& team,
+                     Work::Buffers& work, ComplexLanes* trace, Work::Buffers::Scratch& scratch) const;
+  void transform_layers(int block, int layers, const OfTraction<const TractionStress*>& kernels, const Team& team,
+                        Work::Buffers& work, Work::Buffers::Scratch& scratch) const;
+  [[nodiscard]] const ComplexLanes* total_stress(int block, const MirroredFft::Part& part,
+                                                 const OfTraction<const TractionStress*>& kernels,
+                                                 const Work::Buffers& work, ComplexLanes* sum) const;
+  /// Spectra of the traction in one block.
+  [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
+  /// Number of rows of a spectrum that are computed: with symmetry those of the wavenumbers ky >= 0.
+  [[nodiscard]] int spectrum_rows(Symmetry symmetry) const
+  {
+    return symmetry == Symmetry::none ? volume_fft.py() : volume_fft.py() / 2 + 1;
+  }
+  void sum_displacement(int block, const SpectrumRows& rows, int parts,
+                        const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;
+  struct Kernels
+  {
+    std::once_flag tabulated;
+    std::unique_ptr<TractionStress> stress;
+  };
+  mutable OfTraction<Kernels> kernels_;
+};
+
+} // namespace brinell::halfspace

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shear_stiffness.hpp"
+
+#include "foundation/fft.hpp"
+#include "halfspace/transform/cell_response.hpp"
+#include "halfspace/transform/kernel_places.hpp"
+#include "shear_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// Compliance of all waves of the periodic operator, row by row.
+std::vector<ShearWave> waves(const SurfaceGrid& grid, const green::PairConstants& constants, double reference)
+{
+  if (grid.is_periodic())
+    return periodic_shear_waves(grid, constants);
+  return shear_waves(grid, KernelPlaces::periodic(grid), cell_surface_terms(grid, reference), constants);
+}
+
+} // namespace
+
+ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const green::PairConstants& constants, double reference)
+    : ShearStiffness(grid, with_fast_lengths(grid), constants, reference)
+{
+}
+
+ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& larger,
+                               const green::PairConstants& constants, double reference)
+    : fft_(grid, larger.nx, larger.ny, 1), rows_(fft_.py() / 2 + 1),
+      stiffness_(static_cast<std::size_t>(fft_.blocks()) * static_cast<std::size_t>(rows_))
+{
+  const std::vector<ShearWave> compliance = waves(larger, constants, reference);
+  // Uniform shears, which cause no displacement, are assigned a stiffness: see `inverse` in surface_compliance.cpp.
+  constexpr double share = 1.0 / 64.0;
+  const double uniform = share * largest(compliance);
+  double sum = 0.0;
+  double count = 0.0;
+  const ShearWave* wave = compliance.data();
+  for (int row = 0; row < rows_; ++row)
+    for (int i = 0; i < fft_.kx(); ++i, ++wave)
+    {
+      const ShearWave given = wave->smallest() > 0.0 ? *wave : ShearWave{uniform, uniform, 0.0};
+      const ShearWave inverse = given.inverse();
+      const auto line =
+          static_cast<std::size_t>(i / lane_count) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
+      stiffness_[line][0][i % lane_count] = inverse.xx;
+      stiffness_[line][1][i % lane_count] = inverse.yy;
+      stiffness_[line][2][i % lane_count] = inverse.xy;
+      sum += 0.5 * (inverse.xx + inverse.yy);
+      count += 1.0;
+    }
+  of_one_cell_ = sum / count;
+}
+
+void ShearStiffness::apply(const std::array<std::span<const double>, 2>& displacement,
+                           const std::array<std::span<double>, 2>& shear, Scratch& scratch, double added) const
+{
+  const auto product = [&](int block, int row, const Product::Values& u)
+  {
+    const auto& [xx, yy, xy] = stiffness_[static_cast<std::size_t>(block) * static_cast<std::size_t>(rows_) +
+                                          static_cast<std::size_t>(fft_.folded(row))];
+    const Lanes determinant = xx * yy - xy * xy;
+    const Lanes share = 1.0 / (1.0 + added * (xx + yy + added * determinant));
+    const Lanes across = row > fft_.py() / 2 ? -share * xy : share * xy; // odd along both axes
+    return Product::Values{share * (xx + added * determinant) * u[0] + across * u[1],
+                           across * u[0] + share * (yy + added * determinant) * u[1]};
+  };
+  Product::apply(fft_, displacement, shear, scratch, product);
+}
+
+} // namespace brinell::halfspace

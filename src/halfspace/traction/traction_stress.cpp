@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "traction_stress.hpp"
+
+#include "brinell/foundation/sym_tensor.hpp"
+#include "foundation/lane_functions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// Three-point Gauss-Legendre rule on [-1/2, 1/2]: the mean over a layer.
+constexpr std::array<double, 3> point_of_layer{-0.38729833462074168852, 0.0, 0.38729833462074168852};
+constexpr std::array<double, 3> weight_of_layer{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+
+} // namespace
+
+TractionStress::TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction)
+    : grid_(grid), fft_(fft), traction_(traction), rows_(fft.py() / 2 + 1),
+      kernels_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(grid.nz) * kernel_count *
+               static_cast<std::size_t>(rows_))
+{
+  const PaddedFft padded(grid.surface, fft.px(), fft.py());
+#pragma omp parallel for schedule(dynamic)
+  for (int layer = 0; layer < grid_.nz; ++layer)
+    if (grid.surface.is_periodic())
+      tabulate_waves(layer, poisson_ratio, padded);
+    else
+      tabulate_cells(layer, poisson_ratio, padded);
+}
+
+const Lanes* TractionStress::kernel(int block, int layer, int which) const
+{
+  return kernels_.data() + ((static_cast<std::ptrdiff_t>(block) * grid_.nz + layer) * kernel_count + which) * rows_;
+}
+
+double& TractionStress::number(int row, int column, int layer, int which)
+{
+  const std::ptrdiff_t at = kernel(column / lane_count, layer, which) + row - kernels_.data();
+  return reinterpret_cast<double*>(kernels_.data() + at)[column % lane_count];
+}
+
+Parity TractionStress::parity(int which) const
+{
+  const bool odd_x = which == Deviator::xz || which == Deviator::xy;
+  const bool odd_y = which == Deviator::yz || which == Deviator::xy;
+  return {odd_x != (traction_ == Traction::shear_x), odd_y != (traction_ == Traction::shear_y)};
+}
+
+namespace
+{
+
+/// Values of a stress that are stored, in the order of the kernels.
+std::array<double, 6> kernel_values(const SymTensor& t)
+{
+  const double mean = trace(t) / 3.0;
+  return {t[0] - mean, t[1] - mean, t[3], t[4], t[5], trace(t)};
+}
+
+/// Mean over a layer of the stress of a unit traction on one cell.
+Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double poisson_ratio, Traction traction)
+{
+  Quadrant<SymTensor> mean(grid.surface);
+  for (std::size_t g = 0; g < point_of_layer.size(); ++g)
+  {
+    const Quadrant<SymTensor> part =
+        cell_stress(grid.surface, (layer + 0.5 + point_of_layer[g]) * grid.dz, poisson_ratio, traction);
+    for (std::size_t n = 0; n < mean.values.size(); ++n)
+      for (std::size_t c = 0; c < 6; ++c)
+        mean.values[n][c] += weight_of_layer[g] * part.values[n][c];
+  }
+  return mean;
+}
+
+} // namespace
+
+void TractionStress::tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft)
+{
+  const Quadrant<SymTensor> response = mean_over_layer(grid_, layer, poisson_ratio, traction_);
+  for (int which = 0; which < kernel_count; ++which)
+    parity_spectrum(
+        fft, parity(which),
+        [&](int i, int j) { return kernel_values(response.at(i, j))[static_cast<std::size_t>(which)]; },
+        [&](int row, int column, double value) { number(row, column, layer, which) = value; });
+}
+
+namespace
+{
+
+/// Depth factors of a wave, as means over a layer.
+struct LayerMean
+{
+  double level;  ///< of e^{-kz}
+  double rising; ///< of k z e^{-kz}
+};
+
+LayerMean mean_decay(double thickness, int layer)
+{
+  const double top = layer * thickness;
+  const double mean = -std::expm1(-thickness) / thickness;
+  return {std::exp(-top) * mean, std::exp(-top) * ((1.0 + top) * mean - std::exp(-thickness))};
+}
+
+/// With l along the wavevector and t across it, the stress of a wave of unit pressure is e^{-kz} times
+///     ll = -(1 - k z)    zz = -(1 + k z)    tt = -2 nu    lz = i k z
+/// that of a wave of unit shear along l
+///     ll = i (2 - k z)   zz = i k z         tt = 2 i nu   lz = -(1 - k z)
+/// and that of one along t: lt = i, tz = -1 (Johnson 1985, section 13.2; docs/theory/half-space.md).
+/// @param lx, ly  components of the unit vector along l
+/// @return  amplitudes, without the factor i in those that are odd in x and even in y, or the other way round
+SymTensor wave_stress(Traction traction, double lx, double ly, const LayerMean& decay, double nu)
+{
+  if (traction == Traction::shear_y)
+    return xy_exchanged(wave_stress(Traction::shear_x, ly, lx, decay, nu));
+  const double xx = lx * lx, yy = ly * ly;
+  if (traction == Traction::pressure)
+  {
+    const double ll = decay.rising - decay.level;
+    const double tt = -2.0 * nu * decay.level;
+    return {xx * ll + yy * tt, yy * ll + xx * tt, -decay.rising - decay.level,
+            ly * decay.rising, lx * decay.rising, lx * ly * (ll - tt)};
+  }
+  const double ll = 2.0 * decay.level - decay.rising;
+  const double tt = 2.0 * nu * decay.level;
+  const double lz = decay.rising - decay.level;
+  const double lt = decay.level;
+  const double tz = -decay.level;
+  return {lx * (xx * ll + yy * (tt + 2.0 * lt)),
+          lx * (yy * (ll - 2.0 * lt) + xx * tt),
+          lx * decay.rising,
+          lx * ly * (lz - tz),
+          xx * lz + yy * tz,
+          ly * (xx * (ll - tt) + (yy - xx) * lt)};
+}
+
+/// Stress of a uniform unit traction, without mean strain in the plane.
+SymTensor uniform_stress(Traction traction, double nu)
+{
+  const double held = -nu / (1.0 - nu);
+  switch (traction)
+  {
+  case Traction::pressure:
+    return {held, held, -1.0, 0.0, 0.0, 0.0};
+  case Traction::shear_x:
+    return {0.0, 0.0, 0.0, 0.0, -1.0, 0.0};
+  case Traction::shear_y:
+    break;
+  }
+  return {0.0, 0.0, 0.0, -1.0, 0.0, 0.0};
+}
+
+} // namespace
+
+void TractionStress::tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft)
+{
+  for (int row = 0; row < rows_; ++row)
+    for (int i = 0; i < fft.kx(); ++i)
+    {
+      const double m = fft.wavenumber_x(i);
+      const double n = fft.wavenumber_y(row);
+      const double k = std::hypot(m, n);
+      const std::array<double, kernel_count> value = kernel_values(
+          k == 0.0 ? uniform_stress(traction_, poisson_ratio)
+                   : wave_stress(traction_, m / k, n / k, mean_decay(k * grid_.dz, layer), poisson_ratio));
+      // At the Nyquist wave an odd function cannot be represented on the grid.
+      const bool shortest_x = 2 * i == fft.px(), shortest_y = 2 * row == fft.py();
+      for (int which = 0; which < kernel_count; ++which)
+      {
+        const auto [odd_x, odd_y] = parity(which);
+        const bool is_resolved = !(odd_x && shortest_x) && !(odd_y && shortest_y);
+        number(row, i, layer, which) = is_resolved ? value[static_cast<std::size_t>(which)] : 0.0;
+      }
+    }
+}
+
+namespace
+{
+
+/// Calls work(row, row of the stored numbers, whether the wavenumber along y is below 0).
+template <typename Work>
+void for_rows(int rows, const BlockedFft& fft, const Work& work)
+{
+  const int stored = fft.py() / 2 + 1;
+  for (int row = 0; row < std::min(rows, stored); ++row)
+    work(row, row, std::false_type{});
+  for (int row = stored; row < rows; ++row)
+    work(row, fft.folded(row), std::true_type{});
+}
+
+/// A kernel, the spectrum by which it is multiplied, and whether the kernel is odd in the wavenumber along y.
+struct Source
+{
+  const Lanes* kernel = nullptr;
+  const Lanes* next_kernel = nullptr; ///< to be fetched
+  const ComplexLanes* values = nullptr;
+  bool odd_y = false;
+
+  template <bool is_below>
+  [[nodiscard]] ComplexLanes at(int row, int stored, std::bool_constant<is_below> /*below*/) const
+  {
+    if (!is_below)
+      fetch_soon(next_kernel + stored);
+    const Lanes number = is_below && odd_y ? -kernel[stored] : kernel[stored];
+    return number * values[row];
+  }
+};
+
+/// @tparam parts  bit mask of the components of the traction that are not zero
+template <unsigned parts>
+void add_parts(const OfTraction<Source> sources, bool pressure_is_imaginary, int rows, const BlockedFft& fft,
+               const ComplexLanes* stress, const ComplexLanes* next, ComplexLanes* total)
+{
+  const auto add_as = [&](auto is_imaginary)
+  {
+    for_rows(rows, fft,
+             [&](int row, int stored, auto below)
+             {
+               fetch_soon(next + row);
+               ComplexLanes sum = stress[row];
+               const auto add_source = [&](std::size_t t, bool is_turned)
+               {
+                 const ComplexLanes part = sources[t].at(row, stored, below);
+                 sum = sum + (is_turned ? times_i(part) : part);
+               };
+               if constexpr ((parts & 1U) != 0)
+                 add_source(0, is_imaginary);
+               if constexpr ((parts & 2U) != 0)
+                 add_source(1, !is_imaginary);
+               if constexpr ((parts & 4U) != 0)
+                 add_source(2, !is_imaginary);
+               total[row] = sum;
+             });
+  };
+  pressure_is_imaginary ? add_as(std::true_type{}) : add_as(std::false_type{});
+}
+
+} // namespace
+
+/// For each component of the stress, the kernels of both shears are imaginary if that of the pressure is real, and vice versa.
+void TractionStress::add(const OfTraction<const TractionStress*>& kernels, int block, int component, int layer,
+                         int rows, const OfTraction<const ComplexLanes*>& traction, const ComplexLanes* stress,
+                         const ComplexLanes* next, ComplexLanes* total)
+{
+  const int next_block = next == stress ? block : block + 1;
+  OfTraction<Source> sources;
+  unsigned parts = 0;
+  bool pressure_is_imaginary = false;
+  const BlockedFft* fft = nullptr;
+  for (std::size_t t = 0; t < kernels.size(); ++t)
+    if (kernels[t] != nullptr)
+    {
+      const Parity parity = kernels[t]->parity(component);
+      sources[t] = {kernels[t]->kernel(block, layer, component), kernels[t]->kernel(next_block, layer, component),
+                    traction[t], parity.odd_y};
+      parts |= 1U << t;
+      pressure_is_imaginary = parity.is_imaginary() == (t == 0);
+      fft = &kernels[t]->fft_;
+    }
+  const auto add_if = [&](auto which)
+  {
+    if (parts == which)
+      add_parts<which>(sources, pressure_is_imaginary, rows, *fft, stress, next, total);
+  };
+  [&]<unsigned... which>(std::integer_sequence<unsigned, 0, which...> /*all*/)
+  {
+    (add_if(std::integral_constant<unsigned, which>{}), ...);
+  }
+  (std::make_integer_sequence<unsigned, 8>{});
+}
+
+void TractionStress::add_displacement(int block, int layer, int rows, const ComplexLanes* strain,
+                                      ComplexLanes* displacement) const
+{
+  const double thickness = grid_.dz;
+  const std::ptrdiff_t pitch = fft_.pitch();
+  const Lanes* const k = kernel(block, layer, 0);
+  const Lanes* const next = kernel(block, std::min(layer + 1, grid_.nz - 1), 0);
+  std::array<double, Deviator::size> sign_below{};
+  for (int c = 0; c < Deviator::size; ++c)
+    sign_below[static_cast<std::size_t>(c)] = parity(c).odd_y ? -1.0 : 1.0;
+  const auto add_as = [=, this](auto is_pressure)
+  {
+    for_rows(rows, fft_,
+             [=, this](int row, int stored, auto below)
+             {
+               for (int c = 0; !below && c < Deviator::size; ++c)
+                 fetch_soon(next + c * rows_ + stored);
+               const auto times = [&](int c, const ComplexLanes& strain_of)
+               {
+                 const Lanes number = k[c * rows_ + stored];
+                 return (below ? sign_below[static_cast<std::size_t>(c)] * number : number) * strain_of;
+               };
+               const ComplexLanes e_xx = strain[xx * pitch + row], e_yy = strain[yy * pitch + row];
+               const ComplexLanes sum = e_xx + e_yy;
+               const ComplexLanes in_plane =
+                   times(xx, e_xx + sum) + times(yy, e_yy + sum) + 2.0 * times(xy, strain[xy * pitch + row]);
+               const ComplexLanes across =
+                   2.0 * (times(yz, strain[yz * pitch + row]) + times(xz, strain[xz * pitch + row]));
+               // The kernel of the transpose is the conjugate: conj(i K) = -i K.
+               displacement[row] = displacement[row] +
+                                   thickness * (is_pressure ? in_plane - times_i(across) : across - times_i(in_plane));
+             });
+  };
+  traction_ == Traction::pressure ? add_as(std::true_type{}) : add_as(std::false_type{});
+}
+
+} // namespace brinell::halfspace

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/fretting.hpp"
+
+#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/error.hpp"
+#include "run_state.hpp"
+#include "simulation/plan/heat.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+using contact::TangentialDrive;
+
+/// Motion of fretting: press, then oscillate.
+class Fretting
+{
+public:
+  Fretting(const FrettingCase& fretting, const FrettingPlan& plan)
+      : case_(fretting), steps_(plan.steps), cos_(std::cos(fretting.direction)), sin_(std::sin(fretting.direction))
+  {
+    // Makes right angles exact in spite of the rounding of pi.
+    for (double* part : {&cos_, &sin_})
+      if (std::abs(*part) < 1e-15)
+        *part = 0.0;
+  }
+
+  [[nodiscard]] Stepper::Setup setup() const
+  {
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
+    setup.sliding = {.friction = case_.friction, .sticks = true, .wear = case_.wear};
+    if (is_heated(case_, case_.lower, case_.upper))
+      setup.sliding.heat = {case_.heat, heat_times()};
+    return setup;
+  }
+  [[nodiscard]] Centre centre() const { return {}; }
+  [[nodiscard]] bool is_done() const { return done_ == steps_; }
+  [[nodiscard]] int step_count() const { return steps_; }
+
+  [[nodiscard]] Move next(Stepper& stepper)
+  {
+    if (done_ == 0)
+    {
+      const double touch = stepper.clearance({});
+      from_ = by_load() ? 0.0 : std::min(0.0, touch);
+      previous_.approach = touch;
+    }
+    const auto path = [this](double t)
+    {
+      Target target{{}, {case_.press.kind, pressed(done_ + t)}, true, along(share(done_ + t))};
+      target.time = time(done_ + t);
+      target.is_put_down = done_ == 0;
+      return target;
+    };
+    const bool is_pressing = done_ < case_.press_steps;
+    return {path, finest,
+            is_pressing
+                ? fmt::format("step {}, pressing", done_)
+                : fmt::format("step {}, cycle {}, {} = {:g} {}", done_, cycle(), by_force() ? "force" : "displacement",
+                              share(done_ + 1.0) * case_.amplitude, by_force() ? "N" : "m"),
+            !is_pressing};
+  }
+
+  void read(Stepper& stepper, const FrettingRecord& /*before*/, FrettingRecord& r)
+  {
+    r.cycle = cycle();
+    r.pass = std::max(1, r.cycle);
+    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
+    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
+    previous_.F_n = r.F_n;
+    previous_.approach = r.approach;
+    const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
+    if (slip != nullptr)
+      read(*slip, r);
+    if (r.cycle > 0)
+      add_to_cycle(r);
+    if (r.cycle > 0 && slip != nullptr)
+      current_.slip_amplitude = 0.25 * paths_.largest_growth(stepper.pair().grid(), slip->path());
+    ++done_;
+    const int moved = done_ - case_.press_steps;
+    if (moved < 0 || moved % case_.steps_per_cycle != 0)
+      return;
+    if (moved > 0)
+      cycles_.push_back(current_);
+    begin_cycle(r);
+    if (slip != nullptr)
+      paths_.begin(stepper.pair().grid(), slip->path());
+  }
+
+  void summarise(FrettingSummary& summary, const StepFields& /*end*/) const { summary.cycles = cycles_; }
+
+  void exchange(Archive& archive)
+  {
+    archive("at", previous_);
+    archive("current", current_);
+    archive("begun", begun_);
+    archive("begun_paths", paths_);
+    archive.list("cycles", cycles_);
+    archive("from", from_);
+    archive("done", done_, 0, steps_);
+  }
+
+private:
+  /// Values at the end of the last step.
+  struct DriveState
+  {
+    double approach = 0.0, F_n = 0.0, along = 0.0; ///< [m], [N], work of the tangential force [J]
+
+    void exchange(Archive& archive)
+    {
+      archive("approach", approach);
+      archive("F_n", F_n);
+      archive("along", along);
+    }
+  };
+  /// Totals at the beginning of the current cycle.
+  struct Begun
+  {
+    double along = 0.0, friction = 0.0, plastic = 0.0; ///< [J]
+
+    void exchange(Archive& archive)
+    {
+      archive("along", along);
+      archive("friction", friction);
+      archive("plastic", plastic);
+    }
+  };
+  /// Slip path of each point at the beginning of the current cycle.
+  class Paths
+  {
+  public:
+    void begin(const SurfaceGrid& grid, std::span<const double> path)
+    {
+      columns_ = grid.nx;
+      path_.assign(path.begin(), path.end());
+    }
+    /// Largest growth at a point since then [m]. The contact grid may have grown in the cycle.
+    [[nodiscard]] double largest_growth(const SurfaceGrid& grid, std::span<const double> path) const
+    {
+      SurfaceGrid smaller = grid;
+      smaller.nx = columns_;
+      smaller.ny = columns_ > 0 ? static_cast<int>(path_.size()) / columns_ : 0;
+      if (smaller.nx > grid.nx || smaller.ny > grid.ny || smaller.size() != path_.size())
+        throw InputError("the stored state has slip on a grid that does not fit; run without --resume");
+      std::vector<double> before(grid.size());
+      elastoplastic::embed_field(smaller, path_, grid, before);
+      double largest = 0.0;
+      for (std::size_t i = 0; i < before.size(); ++i)
+        largest = std::max(largest, path[i] - before[i]);
+      return largest;
+    }
+
+    void exchange(Archive& archive)
+    {
+      archive("columns", columns_, 0, 1 << 20);
+      archive.list("path", path_);
+    }
+
+  private:
+    int columns_ = 0;
+    std::vector<double> path_; ///< [m]
+  };
+
+  static constexpr double finest =
+      1.0 / 64; ///< share of a step, of the shortest piece of a step that does not converge
+  /// Time since the start after a number of steps, which all take as long [s]; 0 without a frequency.
+  [[nodiscard]] double time(double steps) const
+  {
+    return case_.frequency ? steps / (case_.steps_per_cycle * *case_.frequency) : 0.0;
+  }
+  [[nodiscard]] halfspace::HeatTimes heat_times() const { return {time(0.5 * finest), time(steps_ + 1.0)}; }
+  [[nodiscard]] bool by_load() const { return case_.press.kind == Drive::Kind::load; }
+  [[nodiscard]] bool by_force() const { return case_.kind == FrettingCase::Kind::force; }
+  /// Number of the cycle of the current step; 0 while pressing.
+  [[nodiscard]] int cycle() const
+  {
+    return done_ < case_.press_steps ? 0 : (done_ - case_.press_steps) / case_.steps_per_cycle + 1;
+  }
+  /// Load or approach after a number of steps. For loads, load^(2/3) changes linearly, so that the approach changes about
+  /// linearly.
+  [[nodiscard]] double pressed(double steps) const
+  {
+    const double share = std::min(1.0, steps / case_.press_steps);
+    if (!by_load())
+      return from_ + (case_.press.value - from_) * share;
+    return share == 1.0 ? case_.press.value : std::pow(std::pow(case_.press.value, 2.0 / 3.0) * share, 1.5);
+  }
+  /// Factor on the amplitude after a number of steps: 0, 1, 0, -1, 0 at the quarters of a cycle, linear in between.
+  [[nodiscard]] double share(double steps) const
+  {
+    const double quarters = std::max(0.0, steps - case_.press_steps) / (0.25 * case_.steps_per_cycle);
+    const double phase = quarters - 4.0 * std::floor(0.25 * quarters);
+    return phase <= 1.0 ? phase : (phase <= 3.0 ? 2.0 - phase : phase - 4.0);
+  }
+  [[nodiscard]] TangentialDrive along(double share) const
+  {
+    const double size = share * case_.amplitude;
+    return {{case_.kind, size * cos_}, {case_.kind, size * sin_}, 0.0};
+  }
+
+  void read(const elastoplastic::PartialSlip& slip, FrettingRecord& r)
+  {
+    const auto [x, y] = slip.shift();
+    const auto [F_x, F_y] = slip.forces();
+    r.displacement = x * cos_ + y * sin_;
+    r.F_x = F_x;
+    r.F_y = F_y;
+    r.force = F_x * cos_ + F_y * sin_;
+    r.work += slip.work() - previous_.along;
+    previous_.along = slip.work();
+    r.dissipation_friction = slip.heat();
+    r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
+    r.stick_area = r.stick_share * r.contact_area;
+    r.slip_path = *std::max_element(slip.path().begin(), slip.path().end());
+  }
+
+  void begin_cycle(const FrettingRecord& r)
+  {
+    begun_ = {previous_.along, r.dissipation_friction, plastic(r)};
+    current_ = {};
+    current_.stick_share = 1.0;
+  }
+
+  void add_to_cycle(const FrettingRecord& r)
+  {
+    FrettingCycle& c = current_;
+    c.cycle = r.cycle;
+    c.work = previous_.along - begun_.along;
+    c.dissipation_friction = r.dissipation_friction - begun_.friction;
+    c.dissipation_plastic = plastic(r) - begun_.plastic;
+    c.max_force = std::max(c.max_force, std::abs(r.force));
+    c.max_displacement = std::max(c.max_displacement, std::abs(r.displacement));
+    c.stick_share = std::min(c.stick_share, r.stick_share);
+    c.max_equivalent_plastic_strain = r.max_equivalent_plastic_strain;
+  }
+
+  [[nodiscard]] static double plastic(const FrettingRecord& r) { return r.dissipation_lower + r.dissipation_upper; }
+
+  const FrettingCase& case_;
+  int steps_; ///< number of steps of the run
+  double cos_, sin_;
+  double from_ = 0.0; ///< load or approach at the start
+  DriveState previous_;
+  Begun begun_;
+  Paths paths_;
+  FrettingCycle current_;
+  std::vector<FrettingCycle> cycles_;
+  int done_ = 0; ///< number of finished steps
+};
+
+} // namespace
+
+void FrettingRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+}
+
+void FrettingCycle::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
+}
+
+template <>
+struct MotionOf<FrettingCase>
+{
+  using Type = Fretting;
+};
+
+template class Run<FrettingCase>;
+
+} // namespace brinell::simulation

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/fretting.hpp"
+#include "simulation/quality/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Ratio of the width of the slip annulus at the reversals to the contact radius, for smooth elastic balls: Mindlin (1949),
+/// Mindlin and Deresiewicz (1953). None if these do not apply, if nothing moves, or if the whole contact slides.
+std::optional<double> slip_ring(const FrettingCase& c, const FrettingPlan& plan)
+{
+  const bool is_round = c.lower.texture.is_smooth() && c.upper.texture.is_smooth() && !c.domain.x.is_periodic() &&
+                        !c.domain.y.is_periodic() && plan.sliding_displacement > 0.0;
+  if (!is_round || c.amplitude == 0.0)
+    return std::nullopt;
+  if (c.kind == FrettingCase::Kind::shift)
+  {
+    const double share = c.amplitude / plan.sliding_displacement;
+    return share < 1.0 ? std::optional(1.0 - std::sqrt(1.0 - share)) : std::nullopt;
+  }
+  if (c.press.kind != contact::Drive::Kind::load)
+    return std::nullopt;
+  return 1.0 - std::cbrt(1.0 - c.amplitude / (c.friction.coefficient * c.press.value));
+}
+
+/// Cells across the slip annulus; none where its width is unknown.
+std::optional<double> cells_across_ring(const FrettingCase& c, const FrettingPlan& plan)
+{
+  const std::optional<double> ring = slip_ring(c, plan);
+  if (!ring)
+    return std::nullopt;
+  return *ring * std::min(plan.contact_radius / plan.contact.dx, plan.contact_radius_y / plan.contact.dy);
+}
+
+constexpr double fewest_across_ring = 2.0;
+
+/// Error of heat and slip of a cycle with few cells across the slip annulus: 35 to 66 % of the heat with half a cell, 12 to 26 %
+/// with 0.9, 1 to 11 % with 1.6 to 1.9 (docs/verification/accuracy.md, expected error).
+double error_of_thin_ring(double cells)
+{
+  return std::min(1.0, 0.2 / (cells * cells));
+}
+
+// docs/verification/accuracy.md (expected error)
+Facts facts(const FrettingCase& c, const FrettingPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  constexpr Documented::Of elastic = Documented::Of::elastic_contact;
+  Documented heat{
+      "heat of friction", "cycles[*].dissipation_friction_J", 0.02, 8.0, 1.0, elastic, 0.0, false, 0.0, 4.0};
+  const std::optional<double> across = cells_across_ring(c, plan);
+  const bool is_thin = across && *across < fewest_across_ring;
+  Documented slip{"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0, elastic};
+  if (across)
+    heat.further = error_of_thin_ring(*across); // 2.9 % with 2.2 cells
+  if (is_thin)
+    slip.further = f.worn_depth.further = f.temperature_rise.further = heat.further;
+  if (c.kind != FrettingCase::Kind::force)
+    f.documented.push_back({"largest force along the surface", "cycles[*].max_force_N", is_thin ? 0.01 : 0.005, 8.0,
+                            1.0, elastic, 0.0, false, 0.0, 2.5});
+  f.documented.push_back(heat);
+  f.documented.push_back(
+      {"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, Documented::Of::plastic_zone});
+  f.documented.push_back(slip);
+  if (const std::optional<double> ring = slip_ring(c, plan); ring && *ring < 1.0)
+  {
+    constexpr double of_area = 0.05; // a row of cells around the part that sticks
+    f.documented.push_back(
+        {"stick share", "cycles[*].stick_share", of_area / std::pow(1.0 - *ring, 2), 8.0, 1.0, elastic});
+  }
+  f.slides =
+      c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
+  f.may_stick = !f.slides;
+  if (c.frequency)
+    f.heating_time = 0.5 / *c.frequency;
+  f.while_heated = "in half a cycle";
+  if (!f.slides) // the rim of the contact wears most, and is heated alone
+  {
+    f.worn_depth.error = 0.06;
+    f.temperature_rise.error = temperature_error_of_sticking;
+  }
+  return f;
+}
+
+/// Warning about too few cells across the slip annulus.
+std::optional<Warning> thin_slip(const FrettingCase& c, const FrettingPlan& plan)
+{
+  const std::optional<double> across = cells_across_ring(c, plan);
+  if (!across || !(*across < fewest_across_ring))
+    return std::nullopt;
+  return Warning{
+      "thin_slip",
+      fmt::format("the ring that slips is only about {:.2g} cells wide, by the elastic solution of two balls: the "
+                  "energy of a cycle may be off by {}, and its slip by more. Take a grid.resolution of {:.0f}",
+                  *across, percent_text(error_of_thin_ring(*across)),
+                  std::ceil(fewest_across_ring / *slip_ring(c, plan)))};
+}
+
+} // namespace
+
+Quality expected_quality(const FrettingCase& fretting, const FrettingPlan& plan)
+{
+  return quality_before(facts(fretting, plan), thin_slip(fretting, plan));
+}
+
+Quality quality(const FrettingCase& fretting, const FrettingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(fretting, plan), totals, thin_slip(fretting, plan));
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/indentation.hpp"
+
+#include "brinell/contact/drive_text.hpp"
+#include "brinell/foundation/error.hpp"
+#include "foundation/nan.hpp"
+#include "indent.hpp"
+#include "period.hpp"
+#include "pressing.hpp"
+#include "run_state.hpp"
+#include "simulation/plan/domain.hpp"
+#include "simulation/plan/footprint.hpp"
+#include "simulation/plan/friction.hpp"
+#include "simulation/plan/grid_layout.hpp"
+#include "simulation/plan/memory.hpp"
+#include "simulation/plan/symmetry.hpp"
+#include "simulation/quality/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+using contact::Drive;
+
+/// Motion of indentation: loading and unloading, place after place.
+class Indentation
+{
+public:
+  Indentation(const IndentationCase& indentation, const IndentationPlan& plan)
+      : case_(indentation), steps_(plan.steps), contact_(plan.contact), current_(x(0), 1, 0.0)
+  {
+  }
+
+  [[nodiscard]] Stepper::Setup setup() const
+  {
+    return shaped_setup(case_.lower, case_.upper, case_.solver, {case_.places.front(), 0.0});
+  }
+  [[nodiscard]] Centre centre() const { return {x(std::max(done_ - 1, 0)), 0.0}; }
+  [[nodiscard]] bool is_done() const { return done_ == steps_; }
+  [[nodiscard]] int step_count() const { return steps_; }
+
+  [[nodiscard]] Move next(Stepper& stepper)
+  {
+    const Centre here{x(done_), 0.0};
+    const int in_indent = done_ % steps_per_indent();
+    const int in_entry = in_indent % case_.steps;
+    const Stepper::Distances touch = stepper.distances(here);
+    if (in_indent == 0)
+      current_ = indent() % case_.cycles == 0 ? IndentReader(here.lower, place(), touch.smallest)
+                                              : current_.next_cycle(touch.smallest);
+    if (in_entry == 0)
+      begin_entry(in_indent, touch);
+    if (in_entry + 1 == case_.steps && to_ <= 0.0) // lifting off, from the surfaces with their residual displacement
+      to_ = std::min(to_, without_contact(kind(), touch));
+    const auto path = [this, here, in_entry](double t) {
+      return Target{here, {kind(), imposed((in_entry + t) / case_.steps)}};
+    };
+    constexpr double finest = 1.0 / 64;
+    const auto [name, unit] = text_of(kind());
+    return {path, finest, fmt::format("step {}, {} = {:g} {}", done_, name, path(1.0).drive.value, unit)};
+  }
+
+  void read(Stepper& stepper, const IndentationRecord& before, IndentationRecord& r)
+  {
+    const Centre here{x(done_), 0.0};
+    r.pass = indent() + 1;
+    r.place = place();
+    r.x = here.lower;
+    r.approach = stepper.pair().approach();
+    r.contact_radius = std::sqrt(r.contact_area / std::numbers::pi);
+    r.mean_pressure = r.contact_area > 0.0 ? r.F_n / r.contact_area : 0.0;
+    const elastoplastic::CoupledContact& pair = stepper.pair();
+    r.contact_cells = static_cast<int>(
+        std::count_if(pair.pressure().begin(), pair.pressure().end(), [](double p) { return p > 0.0; }));
+    read_period(pair, r);
+    r.contact_stiffness =
+        pair.grid().is_periodic() ? pair.stiffness() / (case_.domain.x.size * case_.domain.y.size) : nan;
+    const auto [highest, deepest] = stepper.residual_range(here);
+    r.residual_depth = deepest;
+    r.pile_up = -highest;
+    if (done_ % steps_per_indent() == 0)
+      begun_ = before.work;
+    trapezoid_ += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here));
+    // While nothing has yielded, all of the work is stored: exact for any number of steps.
+    const bool is_elastic = r.dissipation_lower == 0.0 && r.dissipation_upper == 0.0;
+    r.work = is_elastic ? r.energy_elastic : trapezoid_;
+    if (++done_ % steps_per_indent() != 0)
+      return;
+    indents_.push_back(current_.result());
+    if (is_elastic)
+      indents_.back().work = r.work - begun_;
+  }
+
+  void summarise(IndentationSummary& summary, const StepFields& /*end*/) const
+  {
+    summary.indents = indents_;
+    const Roughness r = contact_.is_periodic() ? roughness(case_, contact_) : Roughness{nan, nan};
+    summary.rms_height = r.height;
+    summary.rms_slope = r.slope;
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("current", current_);
+    archive.list("indents", indents_);
+    archive("trapezoid", trapezoid_);
+    archive("begun", begun_);
+    archive("from", from_);
+    archive("to", to_);
+    archive("done", done_, 0, steps_);
+  }
+
+private:
+  [[nodiscard]] int steps_per_indent() const { return case_.steps * static_cast<int>(case_.sequence.size()); }
+  /// Index of the indent of the current step, counted over all places and cycles.
+  [[nodiscard]] int indent() const { return done_ / steps_per_indent(); }
+  /// Number of the place of the current step, counts from 1.
+  [[nodiscard]] int place() const { return indent() / case_.cycles + 1; }
+  [[nodiscard]] double x(int step) const
+  {
+    return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
+  }
+
+  /// Value of the drive at a share of the current entry. For loads, load^(2/3) changes linearly, so that the approach changes
+  /// about linearly; with equal steps of load the first step would be by far the longest.
+  [[nodiscard]] double imposed(double share) const
+  {
+    if (kind() != Drive::Kind::load)
+      return from_ + (to_ - from_) * share;
+    const double from = std::pow(from_, 2.0 / 3.0);
+    return share == 1.0 ? to_ : std::pow(from + (std::pow(to_, 2.0 / 3.0) - from) * share, 1.5);
+  }
+
+  void begin_entry(int in_indent, const Stepper::Distances& touch)
+  {
+    const double entry = case_.sequence[static_cast<std::size_t>(in_indent / case_.steps)].value;
+    from_ = in_indent == 0 ? without_contact(kind(), touch) : to_;
+    to_ = entry == 0.0 ? without_contact(kind(), touch) : entry;
+  }
+
+  [[nodiscard]] Drive::Kind kind() const { return case_.sequence.front().kind; }
+
+  const IndentationCase& case_;
+  int steps_;           ///< number of steps of the run
+  SurfaceGrid contact_; ///< contact grid at the start; used for periods, whose grid does not grow
+  IndentReader current_;
+  std::vector<Indent> indents_;
+  double trapezoid_ = 0.0; ///< work of the drive so far, by the trapezoidal rule [J]
+  double begun_ = 0.0;     ///< work before the current indent [J]
+  double from_ = 0.0,
+         to_ = 0.0; ///< load, approach or mean gap at beginning and end of the current entry of the sequence
+  int done_ = 0;    ///< number of finished steps
+};
+
+/// Whether both bodies always have the same history.
+bool are_twins(const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  return indentation.solver.mirror && indentation.places == std::vector{0.0} && plan.lower == plan.upper &&
+         alike(indentation.lower, indentation.upper);
+}
+
+/// Checks mean gaps: they must press the bodies together (be smaller than the mean gap at first touch), and a cycle must end
+/// without contact.
+void require_contact(const IndentationCase& indentation, double touching_gap)
+{
+  if (indentation.sequence.front().kind != Drive::Kind::mean_gap)
+    return;
+  const auto touches = [&](const Drive& drive) { return drive.value < touching_gap; };
+  if (std::none_of(indentation.sequence.begin(), indentation.sequence.end(), touches))
+    throw InputError(fmt::format("the mean gap is never below {:g} m, where the surfaces first touch", touching_gap));
+  if ((indentation.cycles > 1 || indentation.places.size() > 1) && touches(indentation.sequence.back()))
+    throw InputError(fmt::format("with several cycles or places the last mean gap must not be below {:g} m, where the "
+                                 "surfaces first touch",
+                                 touching_gap));
+}
+
+/// Checks that the largest imposed approach does not bring the whole period into contact. The reader of case files checks this
+/// too; here it is for cases made by a program.
+void require_drives(const IndentationCase& indentation)
+{
+  if (indentation.sequence.empty() || indentation.places.empty())
+    throw InputError("an indentation needs one drive and one place at least");
+  for (const Drive& drive : indentation.sequence)
+    if (!std::isfinite(drive.value) || (drive.kind == Drive::Kind::load && drive.value < 0.0))
+      throw InputError(fmt::format("indentation by {} = {:g} {}; allowed: {}", text_of(drive.kind).name, drive.value,
+                                   text_of(drive.kind).unit,
+                                   drive.kind == Drive::Kind::load ? "finite, >= 0" : "finite"));
+}
+
+void require_approach(const IndentationCase& indentation, const contact::Drive& largest)
+{
+  if (indentation.sequence.front().kind != Drive::Kind::approach)
+    return;
+  if (const auto reason = reason_against_approach(indentation.lower, indentation.upper, largest.value,
+                                                  indentation.domain, "indentation"))
+    throw InputError(fmt::format("an approach of {:.4g} m {}", largest.value, *reason));
+}
+
+// docs/verification/accuracy.md (expected error)
+using Of = Documented::Of;
+constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::elastic_contact, 0.05, false, 0.0, 0.3};
+constexpr Documented documented[] = {
+    {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5, Of::plastic_zone, 0.06, true, 0.0, 3.0},
+    {"hardness", "indents[*].hardness_Pa", 0.06, 5.6, 1.0, Of::elastic_contact, 0.04},
+    {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5, Of::plastic_zone, 0.08, true},
+    {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone},
+    {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0, Of::contact, 0.1}};
+/// Under a tip, whose largest strain grows without bound as cells get finer.
+constexpr Documented documented_of_tips[] = {
+    {"residual depth", "indents[*].residual_depth_m", 0.08, 5.6, 1.0, Of::plastic_zone, 0.06, true},
+    {"hardness", "indents[*].hardness_Pa", 0.08, 5.6, 2.0, Of::elastic_contact, 0.1},
+    {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, Of::plastic_zone, 0.3, true},
+    {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone}};
+
+/// Of textured bodies only, whose peaks of pressure stand on summits and shoulders.
+constexpr Documented documented_of_textures[] = {
+    {"largest pressure", "", 0.045, 8.0, 1.0, Of::elastic_contact, 0.02},
+    {"plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Of::plastic_zone, 1.0}};
+
+/// Of the power law through the largest load.
+Documented loading_stiffness(bool is_tip)
+{
+  Documented error{"loading stiffness", "indents[*].loading_stiffness_N_per_m", 0.012, 6.5, 1.5, Of::elastic_contact};
+  error.on_textures = 1.5;
+  if (is_tip)
+    error.error = 0.04;
+  error.further = 0.005;
+  return error;
+}
+
+/// The same if the bodies are unloaded completely; otherwise of the parabola over the first two steps of unloading.
+Documented unloading_stiffness(bool is_tip, int steps, bool is_complete)
+{
+  Documented error = loading_stiffness(is_tip);
+  error.quantity = "unloading stiffness";
+  error.name = "indents[*].unloading_stiffness_N_per_m";
+  if (!is_complete)
+  {
+    error.error = std::max(error.error, 0.03);
+    error.further = 0.12 / steps;
+  }
+  return error;
+}
+
+/// Least value to which the bodies are unloaded from the largest one; none if they are not.
+std::optional<double> unloaded_to(const IndentationCase& c)
+{
+  const auto next = std::max_element(c.sequence.rbegin(), c.sequence.rend(),
+                                     [](const Drive& a, const Drive& b) { return a.value < b.value; })
+                        .base(); // after the last one of several largest
+  return next == c.sequence.end() ? std::nullopt : std::optional(next->value);
+}
+
+bool has_tip(const ShapedBody& body)
+{
+  return std::holds_alternative<Cone>(body.shape) || std::holds_alternative<Pyramid>(body.shape);
+}
+
+Facts facts(const IndentationCase& c, const IndentationPlan& plan)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  const bool is_tip = has_tip(c.lower) || has_tip(c.upper);
+  if (is_tip)
+    f.documented.assign(std::begin(documented_of_tips), std::end(documented_of_tips));
+  else
+    f.documented.assign(std::begin(documented), std::end(documented));
+  if (f.is_plane) // the width of a contact of two edges scatters more than the area within a closed one
+    for (Documented& d : f.documented)
+      d.error *= std::string_view(d.quantity) == "hardness" ? 2.0 : 1.0;
+  if (f.cells_per_texture)
+    f.documented.insert(f.documented.end(), std::begin(documented_of_textures), std::end(documented_of_textures));
+  const bool is_given = std::all_of(c.sequence.begin(), c.sequence.end(),
+                                    [](const Drive& drive) { return drive.kind == Drive::Kind::load; });
+  if (!is_given)
+    f.documented.insert(f.documented.begin(), load);
+  if (c.steps > 1)
+    f.documented.push_back(loading_stiffness(is_tip));
+  if (const std::optional<double> end = unloaded_to(c); end && c.steps > 1)
+    f.documented.push_back(unloading_stiffness(is_tip, c.steps, *end <= 0.0));
+  f.forgets_if_elastic = true;
+  f.steps = c.steps;
+  return f;
+}
+
+Quality with_gaps(Quality quality, const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  if (auto text = gaps_without_contact(indentation, plan.touching_gap))
+    quality.warnings.push_back({"no_contact", std::move(*text)});
+  return quality;
+}
+
+} // namespace
+
+IndentationPlan plan(const IndentationCase& indentation)
+{
+  require_friction(indentation, indentation.lower, indentation.upper,
+                   "the surfaces do not slide in an indentation; allowed: 0, or another scenario");
+  require_drives(indentation);
+  const contact::Drive largest = largest_drive(indentation);
+  require_approach(indentation, largest);
+  const Footprint f = footprint(indentation.lower, indentation.upper, largest, indentation.domain);
+  double track = 0.0;
+  for (const double x : indentation.places)
+    track = std::max(track, std::abs(x));
+  IndentationPlan plan;
+  lay_out(indentation, f, track, 0.0, plan);
+  require_cells_in_periods(indentation.lower, indentation.upper, indentation.domain, plan.contact);
+  plan.reference = reference_distance(indentation.lower.shape, indentation.upper.shape, indentation.domain);
+  plan.contact_radius = f.half_x;
+  plan.contact_radius_y = f.half_y;
+  plan.touching_gap = indentation.domain.is_periodic() ? touching_gap(indentation, plan.contact) : nan;
+  require_contact(indentation, plan.touching_gap);
+  plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
+  plan.symmetry = symmetry_of(indentation.lower, indentation.upper, indentation, plan.contact);
+  plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
+                              static_cast<double>(indentation.sequence.size() * indentation.places.size()),
+                          "indentation.steps");
+  plan.memory_bytes = memory_bytes(plan, indentation.lower.material, indentation.upper.material, indentation.solver,
+                                   indentation.friction.coefficient > 0.0 ? 1 : 0, nullptr);
+  return plan;
+}
+
+void IndentationRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+}
+
+Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan)
+{
+  return with_gaps(quality_before(facts(indentation, plan)), indentation, plan);
+}
+
+Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals)
+{
+  return with_gaps(quality_after(facts(indentation, plan), totals), indentation, plan);
+}
+
+template <>
+struct MotionOf<IndentationCase>
+{
+  using Type = Indentation;
+};
+
+template class Run<IndentationCase>;
+
+} // namespace brinell::simulation

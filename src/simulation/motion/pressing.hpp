@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "foundation/nan.hpp"
+#include "simulation/stepping/stepper.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+/// Common parts of scenarios in which one body is pressed on the other.
+namespace brinell::simulation
+{
+
+/// Value of a drive at which the surfaces, with dents and bumps, just do not press: load 0; the approach of first touch, if this
+/// is negative, else 0; or the mean gap at first touch.
+[[nodiscard]] double without_contact(contact::Drive::Kind kind, const Stepper::Distances& touch);
+
+/// Fills the columns for bodies that are periodic along both axes; NaN for others.
+template <typename Record>
+void read_period(const elastoplastic::CoupledContact& pair, Record& r)
+{
+  const SurfaceGrid& grid = pair.grid();
+  r.nominal_pressure = r.contact_fraction = r.mean_gap = nan;
+  if (!grid.is_periodic())
+    return;
+  const auto cells = static_cast<double>(grid.size());
+  const double area = cells * grid.cell_area();
+  r.nominal_pressure = r.F_n / area;
+  r.contact_fraction = r.contact_area / area;
+  r.mean_gap = std::max(0.0, std::accumulate(pair.gap().begin(), pair.gap().end(), 0.0) / cells);
+}
+
+} // namespace brinell::simulation

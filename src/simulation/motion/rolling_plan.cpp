@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/rolling.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "simulation/plan/domain.hpp"
+#include "simulation/plan/footprint.hpp"
+#include "simulation/plan/friction.hpp"
+#include "simulation/plan/grid_layout.hpp"
+#include "simulation/plan/heat.hpp"
+#include "simulation/plan/memory.hpp"
+#include "simulation/plan/symmetry.hpp"
+#include "simulation/quality/wear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+/// Grids and steps of rolling, and checks of what cannot be computed.
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Whether both bodies always have the same history, so that only one is solved and its residual displacement counts twice.
+bool are_twins(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return rolling.solver.mirror && rolling.slide_to_roll == 0.0 && !rolling.creepage && !rolling.heat.source.exists() &&
+         plan.lower == plan.upper && alike(rolling.lower, rolling.upper);
+}
+
+/// Checks that the creepage is allowed with the rest of the case.
+/// @param half  larger half-length of the contact [m]
+void require_creepage(const RollingCase& rolling, double half)
+{
+  if (!rolling.creepage)
+    return;
+  const auto& [longitudinal, lateral, spin] = *rolling.creepage;
+  const bool only_spins = longitudinal == 0.0 && lateral == 0.0 && spin != 0.0;
+  const std::string creepage = fmt::format("rolling.creepage = [{:g}, {:g}]", longitudinal, lateral);
+  const std::string given = only_spins ? fmt::format("rolling.spin = {:g} rad/m", spin) : creepage;
+  const std::string key = only_spins ? "rolling.spin" : "rolling.creepage";
+  for (const double part : {longitudinal, lateral})
+    if (!(std::abs(part) <= largest_creepage))
+      throw KeyError("rolling.creepage",
+                     fmt::format("{}; allowed: each from -{} to {}. For surfaces that slide everywhere there is "
+                                 "rolling.slide_to_roll",
+                                 creepage, largest_creepage, largest_creepage));
+  if (!(std::abs(spin) * half <= largest_creepage))
+    throw KeyError("rolling.spin",
+                   fmt::format("rolling.spin = {:g} rad/m; allowed: up to {:.3g} rad/m, {} over the half-length of the "
+                               "contact",
+                               spin, largest_creepage / half, largest_creepage));
+  if (rolling.slide_to_roll != 0.0)
+    throw KeyError(
+        key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; allowed: "
+                         "slide_to_roll = 0. With stick and slip, the longitudinal creepage takes its place",
+                         given, rolling.slide_to_roll));
+  if (rolling.friction.coefficient == 0.0)
+    throw KeyError(
+        key,
+        fmt::format("{} with interface.friction = 0: without friction the surfaces cannot stick; allowed: > 0", given));
+  if (spin != 0.0 && (rolling.domain.x.is_periodic() || rolling.domain.y.is_periodic()))
+    throw KeyError(
+        "rolling.spin",
+        fmt::format("rolling.spin = {:g} rad/m between surfaces without ends, which cannot turn; allowed: 0, "
+                    "or grid.boundary = \"open\"",
+                    spin));
+}
+
+/// The shift of a run with creepage: whole cells, because the history of stick and slip is moved by whole cells. A shift that was
+/// written with four digits or more of such a multiple is this multiple.
+double whole_shift(double shift, double cell)
+{
+  constexpr double rounding = 1e-4;
+  const double cells = shift / cell, whole = std::round(cells);
+  if (!(std::abs(cells - whole) <= rounding * cells && whole > 0.0))
+    throw KeyError(
+        "rolling.shift",
+        fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m", shift, cell));
+  return whole * cell;
+}
+
+} // namespace
+
+double upper_share(const RollingCase& rolling)
+{
+  return (2.0 - rolling.slide_to_roll) / (2.0 + rolling.slide_to_roll);
+}
+
+RollingPlan plan(const RollingCase& rolling)
+{
+  const std::string why_not =
+      rolling.slide_to_roll == 0.0 && !rolling.creepage
+          ? "the surfaces do not slide with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll, or "
+            "rolling.creepage"
+          : "";
+  require_friction(rolling, rolling.lower, rolling.upper, why_not);
+  require_wear(rolling, why_not);
+  require_heat(rolling, rolling.lower, rolling.upper,
+               {.speed = rolling.speed,
+                .speed_key = "rolling.speed",
+                .upper_rests = rolling.slide_to_roll == 2.0,
+                .sticks = rolling.creepage.has_value()});
+  if (!(rolling.drive.value > 0.0))
+    throw InputError("rolling needs a load or an approach > 0");
+  const Footprint f =
+      footprint(rolling.lower, rolling.upper, rolling.drive, rolling.domain, rolling.friction.coefficient);
+  require_creepage(rolling, f.endless_y ? f.half_x : std::max(f.half_x, f.half_y));
+  RollingPlan plan;
+  plan.half_width_x = f.half_x;
+  plan.half_width_y = f.half_y;
+  plan.shift = rolling.shift.value_or(cell_sizes(rolling, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
+  if (!(plan.shift <= 0.5 * rolling.distance))
+    throw InputError(
+        fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
+  // An even number, so that a step ends at the middle of the track.
+  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
+  const double track = 0.5 * plan.rolling_steps * plan.shift;
+  lay_out(rolling, f, track, upper_share(rolling) * track, plan);
+  require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
+  require_source_fits(rolling, plan.contact);
+  if (rolling.creepage)
+    plan.shift = whole_shift(plan.shift, plan.contact.dx);
+  plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
+  plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
+                          "rolling.passes");
+  plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
+  plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
+  const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
+  const int shears = rolling.friction.coefficient > 0.0 || heats ? (rolling.creepage ? 2 : 1) : 0;
+  plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
+                                   heats ? &rolling.heat : nullptr);
+  return plan;
+}
+
+} // namespace brinell::simulation

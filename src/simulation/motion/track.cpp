@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "track.hpp"
+
+#include "simulation/stepping/records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// Cell under x = y = 0.
+std::size_t middle(const VolumeGrid& grid, int layer)
+{
+  const SurfaceGrid& s = grid.surface;
+  return grid.index((s.nx - 1) / 2, (s.ny - 1) / 2, layer);
+}
+
+} // namespace
+
+TrackReader::TrackReader(double distance, double shift) : quarter_(std::max(0.25 * distance, shift) * (1.0 + 1e-9)) {}
+
+void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipation)
+{
+  plastic_strain_.assign(static_cast<std::size_t>(lower.grid().nz), 0.0);
+  for (int layer = 0; layer < lower.grid().nz; ++layer)
+    plastic_strain_[static_cast<std::size_t>(layer)] = lower.state().equivalent[middle(lower.grid(), layer)];
+  dissipation_ = dissipation;
+  sum_force_ = sum_pressure_ = sum_load_ = sum_area_ = 0.0;
+  before_ = after_ = {};
+  farthest_ = -4.0 * quarter_; // before the start
+  count_ = 0;
+}
+
+/// Stick and slip depend on the start of the pass, not on its end: means are over the last quarter of the track.
+void TrackReader::add_tangential(const RollingRecord& record)
+{
+  const bool rolls = record.x > farthest_; // otherwise the body is pressed on or lifted off
+  farthest_ = std::max(farthest_, record.x);
+  if (!rolls || record.x <= quarter_)
+    return;
+  Along& along = record.x <= 1.5 * quarter_ ? before_ : after_;
+  along.F_x += record.F_x;
+  along.F_y += record.F_y;
+  along.M_z += record.M_z;
+  along.stick_share += record.stick_share;
+  along.load += record.F_n;
+  ++along.count;
+}
+
+void TrackReader::add(const RollingRecord& record)
+{
+  add_tangential(record);
+  if (std::abs(record.x) > quarter_)
+    return;
+  const Uptake now{record.x, record.dissipation_lower + record.dissipation_upper + record.energy_residual};
+  if (count_ == 0)
+    first_ = now;
+  if (count_ == 0 || std::abs(now.x) < std::abs(centre_.x))
+    centre_ = now;
+  last_ = now;
+  sum_force_ += record.F_X;
+  sum_pressure_ += record.max_pressure;
+  sum_load_ += record.F_n;
+  sum_area_ += record.contact_area;
+  ++count_;
+}
+
+RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const
+{
+  const elastoplastic::BodyState& lower = pair.lower().solved().state();
+  const elastoplastic::BodyState& upper = pair.upper().solved().state();
+  const VolumeGrid& grid = pair.lower().grid(); // may have grown in the pass
+  const SurfaceGrid& s = grid.surface;
+  RollingPass pass;
+  pass.rut_depth = lower.residual_displacement[middle(grid, 0)];
+  for (int j = 0; j < s.ny; ++j)
+    pass.shoulder_height = std::max(pass.shoulder_height, -lower.residual_displacement[s.index((s.nx - 1) / 2, j)]);
+  for (const elastoplastic::BodyState* body : {&lower, &upper})
+    pass.max_equivalent_plastic_strain = std::max(pass.max_equivalent_plastic_strain,
+                                                  *std::max_element(body->equivalent.begin(), body->equivalent.end()));
+  for (int layer = 0; layer < grid.nz; ++layer)
+  {
+    const auto l = static_cast<std::size_t>(layer);
+    const double before = l < plastic_strain_.size() ? plastic_strain_[l] : 0.0;
+    const double now = lower.equivalent[middle(grid, layer)];
+    pass.track_plastic_strain = std::max(pass.track_plastic_strain, now);
+    pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
+  }
+  pass.dissipation = dissipation - dissipation_;
+  fill_tangential(pass);
+  if (count_ == 0)
+    return pass;
+  pass.mean_F_X = sum_force_ / count_;
+  pass.friction = sum_load_ > 0.0 ? sum_force_ / sum_load_ : 0.0;
+  pass.contact_area = sum_area_ / count_;
+  pass.max_pressure = sum_pressure_ / count_;
+  const auto per_length = [](const Uptake& from, const Uptake& to)
+  { return to.x > from.x ? (to.energy - from.energy) / (to.x - from.x) : 0.0; };
+  pass.resistance = per_length(first_, last_);
+  const double before = per_length(first_, centre_);
+  const double after = per_length(centre_, last_);
+  constexpr double nothing = 1e-6; // share of the load: a smaller resistance is due to rounding and tolerances
+  if (const double larger = std::max({std::abs(before), std::abs(after), nothing * sum_load_ / count_}); larger > 0.0)
+    pass.unsteadiness = std::abs(after - before) / larger;
+  return pass;
+}
+
+void TrackReader::fill_tangential(RollingPass& pass) const
+{
+  const int count = before_.count + after_.count;
+  if (count == 0)
+    return;
+  pass.F_x = (before_.F_x + after_.F_x) / count;
+  pass.F_y = (before_.F_y + after_.F_y) / count;
+  pass.M_z = (before_.M_z + after_.M_z) / count;
+  pass.stick_share = (before_.stick_share + after_.stick_share) / count;
+  if (before_.count == 0 || after_.count == 0) // track too short
+  {
+    pass.creep_unsteadiness = pass.F_x != 0.0 || pass.F_y != 0.0 ? 1.0 : 0.0;
+    return;
+  }
+  const double x = before_.F_x / before_.count, y = before_.F_y / before_.count;
+  const double later_x = after_.F_x / after_.count, later_y = after_.F_y / after_.count;
+  constexpr double nothing = 1e-6; // share of the load, as for the resistance
+  const double load = (before_.load + after_.load) / count;
+  if (const double larger = std::max({std::hypot(x, y), std::hypot(later_x, later_y), nothing * load}); larger > 0.0)
+    pass.creep_unsteadiness = std::hypot(later_x - x, later_y - y) / larger;
+}
+
+void TrackReader::exchange(Archive& archive)
+{
+  archive.list("plastic_strain", plastic_strain_);
+  archive("dissipation", dissipation_);
+  archive("first", first_);
+  archive("centre", centre_);
+  archive("last", last_);
+  archive("sum_force", sum_force_);
+  archive("sum_pressure", sum_pressure_);
+  archive("sum_load", sum_load_);
+  archive("sum_area", sum_area_);
+  archive("before", before_);
+  archive("after", after_);
+  archive("farthest", farthest_);
+  archive("count", count_, 0, std::numeric_limits<int>::max() - 1);
+}
+
+void TrackReader::Along::exchange(Archive& archive)
+{
+  archive("F_x", F_x);
+  archive("F_y", F_y);
+  archive("M_z", M_z);
+  archive("stick_share", stick_share);
+  archive("load", load);
+  archive("count", count, 0, std::numeric_limits<int>::max() - 1);
+}
+
+void TrackReader::Uptake::exchange(Archive& archive)
+{
+  archive("x", x);
+  archive("energy", energy);
+}
+
+TrackProfile track_profile(const VolumeGrid& grid, const StepFields::Within& body)
+{
+  TrackProfile profile;
+  if (!body.stress)
+    return profile;
+  const TensorField stress = body.stress();
+  const std::vector<double> equivalent = body.equivalent_plastic_strain();
+  for (int layer = 0; layer < grid.nz; ++layer)
+  {
+    const std::size_t cell = middle(grid, layer);
+    profile.depth.push_back((layer + 0.5) * grid.dz);
+    profile.residual_xx.push_back(stress[0][cell]);
+    profile.residual_yy.push_back(stress[1][cell]);
+    profile.equivalent_plastic_strain.push_back(equivalent[cell]);
+  }
+  return profile;
+}
+
+void RollingPass::exchange(Archive& archive)
+{
+  exchange_columns(*this, archive);
+}
+
+} // namespace brinell::simulation

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/simulation/tugging.hpp"
+
+#include "brinell/foundation/error.hpp"
+#include "brinell/simulation/forces.hpp"
+#include "run_state.hpp"
+#include "simulation/plan/heat.hpp"
+#include "simulation/quality/judgement.hpp"
+#include "tugging_peaks.hpp"
+#include "tugging_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+/// The upper asperity is carried past the lower one, pass after pass.
+class Tugging
+{
+public:
+  Tugging(const TuggingCase& tugging, const TuggingPlan& plan)
+      : case_(tugging), plan_(plan), cells_(relative_cells(tugging, plan.contact.dx)),
+        passing_(passing(tugging, plan.contact.dx)), sum_(passing_.radius_lower() + passing_.radius_upper()),
+        position_(passing_.start(0)), lead_(lead_steps())
+  {
+  }
+
+  [[nodiscard]] Stepper::Setup setup() const
+  {
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
+    setup.beside = {plan_.closest.y_lower, plan_.closest.y_upper};
+    setup.sliding = {.friction = case_.friction, .direction = 1, .wear = case_.wear};
+    if (is_heated(case_, case_.lower, case_.upper))
+      setup.sliding.heat = {case_.heat, heat_times()};
+    if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair: one paraboloid has less rounding
+      setup.distance = [curvature = 0.5 * (*relative_curvature(case_.lower.shape, case_.upper.shape))[0]](
+                           double x, double y) { return curvature * (x * x + y * y); };
+    return setup;
+  }
+  [[nodiscard]] Centre centre() const { return centre(position_); }
+  [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
+  [[nodiscard]] int step_count() const { return case_.passes * (steps_in_pass_ + 1); }
+
+  /// Moves to the next position; at the first one of a pass the bodies are put down.
+  [[nodiscard]] Move next(Stepper& stepper)
+  {
+    const bool first = step_in_pass_ == 0;
+    to_ = first ? first_position(stepper) : passing_.next(position_);
+    if (first) // steps until rigid spheres part; the pass continues as long as there is pressure
+      steps_in_pass_ = (passing_.start(0).index - to_.index) + passing_.step_count();
+    const bool whole = cells_ == std::round(cells_);
+    const auto path = [this, first, whole](double t)
+    {
+      const double columns = t * cells_;
+      const Position p =
+          first || t == 1.0 ? to_ : passing_.within_step(position_, whole ? std::round(columns) : columns);
+      Target there = target(p);
+      const Moment moment = moment_at(p);
+      there.time = moment.time;
+      there.slid = moment.slid;
+      there.is_put_down = first;
+      there.returns = first;
+      return there;
+    };
+    return {path, first ? 1.0 : 1.0 / cells_, fmt::format("pass {}, X = {:g} m", pass_ + 1, to_.X)};
+  }
+
+  void read(Stepper& stepper, const TuggingRecord& before, TuggingRecord& r)
+  {
+    moment_ = moment_at(to_);
+    position_ = to_;
+    r.pass = pass_ + 1;
+    record(stepper, r);
+    interference_ = r.interference;
+    r.work += work_between(before, r);
+    r.dissipation_friction += friction_work_between(before, r) - stepper.shear_work();
+    add(before, r, peaks_);
+    if (step_in_pass_ >= steps_in_pass_ && have_parted(stepper))
+    {
+      extra_steps_ = std::max(extra_steps_, position_.index - passing_.start(0).index - passing_.step_count());
+      step_in_pass_ = 0;
+      ++pass_;
+    }
+    else
+      ++step_in_pass_;
+  }
+
+  void summarise(TuggingSummary& summary, const StepFields& /*end*/) const
+  {
+    static_cast<TuggingPeaks&>(summary) = peaks_;
+  }
+
+  void exchange(Archive& archive)
+  {
+    archive("peaks", peaks_);
+    archive("position", position_);
+    // A plausible limit for stored values: no pass takes ten times as many steps as one of rigid spheres.
+    const int max_steps = 10 * passing_.step_count() + 10000;
+    archive("pass", pass_, 0, case_.passes);
+    archive("step_in_pass", step_in_pass_, 0, max_steps);
+    archive("steps_in_pass", steps_in_pass_, 0, max_steps);
+    archive("extra_steps", extra_steps_, 0, max_steps);
+    archive("time", moment_.time);
+    archive("slid", moment_.slid);
+    archive("interference", interference_);
+    if (archive.gives())
+      require_on_bodies(position_);
+  }
+
+private:
+  /// Checks that a restored position lies on the bodies, with columns in the range of integers.
+  void require_on_bodies(const Position& p) const
+  {
+    const double columns = 10.0 * (plan_.lower.surface.nx + plan_.upper.surface.nx) + 1000.0;
+    if (!(std::abs(p.X) <= sum_ && std::abs(p.columns) <= columns &&
+          std::max(std::abs(p.arc_lower), std::abs(p.arc_upper)) <= columns * plan_.contact.dx))
+      throw InputError("the stored state has a position that is not on the bodies");
+  }
+  [[nodiscard]] static Centre centre(const Position& p) { return {p.arc_lower, p.arc_upper}; }
+
+  [[nodiscard]] Target target(const Position& p) const
+  {
+    if (!case_.load)
+      return {centre(p), {contact::Drive::Kind::approach, p.interference}};
+    return {centre(p), {contact::Drive::Kind::load, share_of_load(p.theta) * *case_.load}};
+  }
+
+  /// The load rises in the first eighth of the way on which the rigid bodies would touch, and falls in the last: by place and not by
+  /// step, so that the work does not depend on where the steps begin.
+  [[nodiscard]] double share_of_load(double theta) const
+  {
+    const double touch = passing_.angle_at_touch();
+    const double share = (touch - std::abs(theta)) / (0.25 * touch);
+    constexpr double rounding = 1e-9; // where a step ends at the end of the way
+    return share > rounding ? std::min(share, 1.0) : 0.0;
+  }
+
+  /// Time [s] and sliding distance of the undeformed surfaces [m] since the start.
+  struct Moment
+  {
+    double time = 0.0, slid = 0.0;
+  };
+  /// Moment at a position at the end of a step or within it; without a speed at the time 0.
+  [[nodiscard]] Moment moment_at(const Position& p) const
+  {
+    const double second_per_column = case_.speed ? plan_.contact.dx / *case_.speed : 0.0;
+    if (step_in_pass_ == 0) // includes the time of the way back
+      return {moment_.time + (pass_ == 0 ? 0.0 : steps_in_pass_ * cells_ * second_per_column), moment_.slid};
+    const double interference = case_.load ? interference_ : 0.5 * (position_.interference + p.interference);
+    return {moment_.time + (p.columns - position_.columns) * second_per_column,
+            moment_.slid + (sum_ - interference) * (p.theta - position_.theta)};
+  }
+  /// Shortest and total durations, with a reserve for passes that take longer than those of rigid spheres.
+  [[nodiscard]] halfspace::HeatTimes heat_times() const
+  {
+    const double step = cells_ * plan_.contact.dx / *case_.speed;
+    constexpr double reserve = 4.0, further_steps = 50.0;
+    return {step * std::min(1.0, 0.5 / cells_),
+            step * case_.passes * (reserve * (plan_.steps_per_pass + 2.0 * lead_) + further_steps)};
+  }
+
+  /// Number of steps by which textured bodies may touch earlier, and part later, than smooth ones.
+  [[nodiscard]] int lead_steps() const
+  {
+    const double height = plan_.texture_height;
+    if (case_.load || height == 0.0) // under a load the bodies touch from the first step on
+      return 0;
+    int lead = 0;
+    while (passing_.start(lead).interference > -height)
+      ++lead;
+    return lead;
+  }
+
+  /// Whether the surfaces, with textures and residual displacements, would overlap at a position.
+  [[nodiscard]] bool overlap(Stepper& stepper, const Position& p) const
+  {
+    return stepper.clearance(centre(p)) < p.interference;
+  }
+
+  /// First position of a pass: far enough back that the surfaces do not touch yet.
+  Position first_position(Stepper& stepper) const
+  {
+    int before = extra_steps_;
+    if (case_.load)
+      return passing_.start(before);
+    for (int farthest = lead_; farthest > before; --farthest) // textured surfaces may touch, part and touch again
+      if (overlap(stepper, passing_.start(farthest)))
+        before = farthest;
+    constexpr int max_steps = 1000;
+    const int last = before + max_steps;
+    while (before <= last && overlap(stepper, passing_.start(before)))
+      ++before;
+    return passing_.start(before);
+  }
+
+  /// Whether the bodies do not touch, and will not touch on the rest of the pass.
+  [[nodiscard]] bool have_parted(Stepper& stepper) const
+  {
+    if (stepper.touching())
+      return false;
+    const int last = passing_.start(0).index + passing_.step_count() + lead_;
+    for (Position p = position_; p.index < last;)
+    {
+      p = passing_.next(p);
+      if (overlap(stepper, p))
+        return false;
+    }
+    return true;
+  }
+
+  void record(Stepper& stepper, TuggingRecord& r) const
+  {
+    const Position& p = position_;
+    const Stepper::Depths& depths = stepper.loaded_depths(centre(p));
+    const Forces forces =
+        project_forces(stepper.pair().grid(), stepper.load(), p.theta, {depths.lower, passing_.radius_lower() / sum_},
+                       {depths.upper, passing_.radius_upper() / sum_});
+    r.interference = case_.load ? stepper.pair().approach() : p.interference;
+    r.theta = p.theta;
+    r.X = case_.load ? (sum_ - r.interference) * std::sin(p.theta) : p.X;
+    // The plane of motion is tilted about X: forces are rotated back to Y and Z.
+    const double cosine = std::cos(plan_.closest.tilt), sine = std::sin(plan_.closest.tilt);
+    r.height = case_.load ? (sum_ - r.interference) * std::cos(p.theta) : passing_.separation() * cosine;
+    r.F_X = forces.F_X;
+    r.F_Y = forces.F_Y * cosine + forces.F_Z * sine;
+    r.F_Z = forces.F_Z * cosine - forces.F_Y * sine;
+    r.F_X_macro = forces.F_X_macro;
+    r.F_Z_macro = forces.F_Z_macro * cosine;
+    r.F_X_lower = forces.F_X_lower;
+    r.F_X_upper = forces.F_X_upper;
+    r.F_X_friction = forces.F_X_friction;
+    r.F_Z_friction = forces.F_Z_friction * cosine;
+  }
+
+  const TuggingCase& case_;
+  const TuggingPlan& plan_;
+  double cells_; ///< cells by which the bodies move relative to each other per step
+  Passing passing_;
+  double sum_; ///< of the radii [m]
+  TuggingPeaks peaks_;
+  Position position_, to_; ///< at the end of the last step, and of the current one
+  int lead_;
+  int pass_ = 0, step_in_pass_ = 0, steps_in_pass_ = 0;
+  int extra_steps_ = 0; ///< largest number of steps by which earlier passes were longer than that of rigid spheres
+  Moment moment_;       ///< at the end of the last step
+  double interference_ = 0.0; ///< at the end of the last step; under a load, the approach [m]
+};
+
+// docs/verification/accuracy.md (expected error)
+constexpr Documented peak_force{
+    "peak force", "forces.peak_*_N", 0.011, 8.0, 2.1, Documented::Of::elastic_contact, 0.0, false, 0.0, 0.15};
+/// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
+constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Documented::Of::elastic_contact};
+
+constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Documented::Of::plastic_zone, 0.5, false, 0.0,
+                           1.3};
+constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Documented::Of::contact,
+                                1.0,          false,          0.0,   3.0};
+/// Under a load the net work is a small difference of what the load does on its way down and up.
+constexpr Documented net_energy_under_load{"net energy", "energy.net_J", 0.08, 8.0, 1.7, Documented::Of::contact,
+                                           1.0,          false,          0.0,  3.0};
+constexpr Documented resistance_to_tugging{
+    "F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Documented::Of::contact, 1.0, false, 0.0, 2.5};
+// Of point contacts.
+constexpr Documented work_of_tugging{
+    "plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Documented::Of::contact, 1.0};
+constexpr Documented strain_of_tugging{"largest plastic strain",
+                                       "residual.max_equivalent_plastic_strain",
+                                       0.055,
+                                       8.0,
+                                       1.0,
+                                       Documented::Of::contact,
+                                       0.1,
+                                       false,
+                                       0.0,
+                                       1.3};
+/// Its error with friction, which moves the largest strain to the surface, into the uppermost layers of cells.
+constexpr double error_of_rubbed_strain = 0.3;
+
+/// Share of the work that is not friction; 1 before the run.
+double share_of_ploughing(const RunTotals* totals)
+{
+  return totals && totals->work > 0.0 ? std::clamp(1.0 - totals->dissipation_friction / totals->work, 0.0, 1.0) : 1.0;
+}
+
+/// The error of a quantity to which friction contributes. That of friction is the error of the normal force, which is small.
+Documented with_friction(Documented error, double ploughing)
+{
+  constexpr double of_cells = 0.004, of_steps = 0.05, of_usual_steps = 0.003;
+  const double rubbing = 1.0 - ploughing;
+  error.error = ploughing * error.error + rubbing * of_cells;
+  error.of_steps = ploughing * error.of_steps + rubbing * of_steps;
+  error.further = rubbing * of_usual_steps;
+  return error;
+}
+
+/// @param totals  of the run; null before it
+Facts facts(const TuggingCase& c, const TuggingPlan& plan, const RunTotals* totals = nullptr)
+{
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
+  const double ploughing = share_of_ploughing(totals);
+  f.documented = {c.load ? peak_under_load : peak_force, dents,
+                  with_friction(c.load ? net_energy_under_load : net_energy, ploughing),
+                  with_friction(resistance_to_tugging, ploughing)};
+  if (!f.is_plane)
+  {
+    f.documented.insert(f.documented.end(), {work_of_tugging, strain_of_tugging});
+    if (c.friction.coefficient > 0.0)
+      f.documented.back().error = error_of_rubbed_strain;
+  }
+  f.moves = f.slides = true;
+  if (c.shift)
+    f.shift = plan.shift;
+  if (c.speed)
+    f.heating_time = 2.0 * f.half_x / (0.5 * *c.speed);
+  return f;
+}
+
+} // namespace
+
+void TuggingRecord::exchange(Archive& archive)
+{
+  exchange_row(*this, archive);
+  archive("F_X_lower", F_X_lower); // this and the following are not columns of the history
+  archive("F_X_upper", F_X_upper);
+  archive("F_X_friction", F_X_friction);
+  archive("F_Z_friction", F_Z_friction);
+}
+
+Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan)
+{
+  return quality_before(facts(tugging, plan));
+}
+
+Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals)
+{
+  return quality_after(facts(tugging, plan, &totals), totals);
+}
+
+template <>
+struct MotionOf<TuggingCase>
+{
+  using Type = Tugging;
+};
+
+template class Run<TuggingCase>;
+
+} // namespace brinell::simulation

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "memory.hpp"
+
+#include "elastoplastic/body/window.hpp"
+#include "foundation/fft.hpp"
+#include "halfspace/strain/half_space_memory.hpp"
+#include "halfspace/transform/coarser_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brinell::simulation
+{
+
+namespace
+{
+
+double field_bytes(const VolumeGrid& grid, double fields)
+{
+  return fields * sizeof(double) * static_cast<double>(grid.size());
+}
+
+/// Values per cell in a checkpoint: plastic strain, its equivalent, stress, the guess of the next step, and back stresses.
+double fields_of_state(const constitutive::Material& material)
+{
+  return 5.0 + 1.0 + 5.0 + 5.0 + 5.0 * static_cast<double>(material.kinematic.size());
+}
+
+/// Kernels and transforms of a body, which bodies of the same cells and elastic constants share.
+double operator_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  return material.elastic.is_rigid() ? 0.0 : halfspace::memory_of_half_space(grid, shears).operators;
+}
+
+/// A body that is solved, between increments.
+double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  constexpr double fields_of_elastic_body = 6.0; // plastic strain and its equivalent, which are zero
+  if (!material.is_plastic())
+    return field_bytes(grid, fields_of_elastic_body);
+  constexpr double flags = 0.125;
+  return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
+}
+
+/// The longest window of a body: its operators, the stress in it, and the changes of strain and stress. Its length follows from an
+/// estimate: contact and flow of a step reach over about two thirds of the grid of the contact (measured).
+double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material,
+                    const elastoplastic::Settings& solver, int shears)
+{
+  constexpr double of_contact = 0.65;
+  constexpr int elastic_steps = 2; // the steps before the first flow request no window
+  const bool is_used = solver.shortcuts && solver.windows && material.is_plastic() && !grid.surface.is_periodic_x() &&
+                       plan.steps > elastic_steps + static_cast<int>(elastoplastic::requests_without_window);
+  const auto window =
+      elastoplastic::window_for(static_cast<int>(std::ceil(of_contact * plan.contact.nx)), grid.surface.nx);
+  if (!is_used || !window)
+    return 0.0;
+  VolumeGrid part = grid;
+  part.surface.nx = elastoplastic::length_of_window(*window, grid.surface.nx);
+  constexpr double fields = 15.0;
+  return halfspace::memory_of_half_space(part, shears).operators + field_bytes(part, fields);
+}
+
+/// Active cells in an increment, with the history of the acceleration. Their number is estimated: a plastic zone fills a smaller
+/// share of a volume than of a plane section, and in a period little more than the material under peaks. Without short cuts all
+/// cells are active.
+double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
+                   const elastoplastic::Settings& solver, const Plan& plan)
+{
+  const double computed = plan.symmetry == Symmetry::none ? 1.0 : 0.5;
+  const double near_yield = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * plan.contact_share);
+  const double active_share = solver.shortcuts ? near_yield : computed;
+  const double values_per_cell = 5.0 * (3.0 * solver.anderson_depth + 11.0);
+  return material.is_plastic() ? field_bytes(grid, active_share * values_per_cell) : 0.0;
+}
+
+/// Output of a body. Its fields are computed and written one after the other; the stress needs the most memory.
+double output_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  if (material.elastic.is_rigid())
+    return 0.0;
+  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears);
+  const double work = material.is_plastic() ? 0.0 : half_space.work; // allocated only for the output
+  return std::max(field_bytes(grid, 6.0) + work + half_space.trace, field_bytes(grid, 12.0));
+}
+
+/// The checkpoint from which a run resumes, read before the buffers of the operators exist. Writing needs no copy in memory.
+double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+{
+  if (!material.is_plastic())
+    return 0.0;
+  const double state = field_bytes(grid, fields_of_state(material));
+  return std::max(0.0, state - halfspace::memory_of_half_space(grid, shears).work);
+}
+
+/// Heat in the steady regime: temperature and stress in each layer, as spectra, as the tables from which they are made, and
+/// (measured) as much again in lattices that are summed. With two threads the peak varies by a quarter from run to run.
+double steady_heat_bytes(const VolumeGrid& grid)
+{
+  constexpr double parts = 7.0, copies = 3.0;
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  return parts * copies * grid.nz * padded.x * padded.y * sizeof(double);
+}
+
+/// The thermal grid: a third longer and wider than the material grid, except along periods.
+SurfaceGrid grid_of_heat(const SurfaceGrid& body)
+{
+  constexpr double wider = 4.0 / 3.0;
+  SurfaceGrid grid = body;
+  grid.nx = static_cast<int>(body.is_periodic_x() ? body.nx : wider * body.nx);
+  grid.ny = static_cast<int>(body.is_periodic_y() ? body.ny : wider * body.ny);
+  return grid;
+}
+
+/// Ratio of all spectra of heat to those of the first lattice. Images are subtracted on about three pairs of lattices of the
+/// slower waves; of each pair one is as large as the first lattice and one a quarter of it. With short cuts they are half as long
+/// along an open axis of many cells.
+double lattices_of_heat(const SurfaceGrid& grid, bool shortcuts)
+{
+  constexpr double pairs = 2.0; // equivalent number of pairs with as many waves as the first lattice
+  double share = grid.is_periodic() ? 0.0 : 1.0;
+  for (const auto& [cells, is_periodic] : {std::pair{grid.nx, grid.is_periodic_x()}, {grid.ny, grid.is_periodic_y()}})
+    share *= shortcuts && !is_periodic && halfspace::is_long(cells) ? 0.5 : 1.0;
+  return 1.0 + 1.25 * pairs * share;
+}
+
+/// Heat in the transient regime: about sixty waves in depth, now and before the increment (for `restore`); and, for a body that
+/// may yield, the waves of fields while they are evaluated. With symmetry half of the waves are kept. The heat of plastic work
+/// adds the layers of the body and about fifteen below: temperature now and before the increment, and source. With short cuts,
+/// lattices that subtract images merge at least two layers.
+double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Material& material, bool of_plastic_work,
+                            bool shortcuts, Symmetry symmetry)
+{
+  constexpr double waves = 60.0, copies = 2.0, copies_of_layers = 3.0, fields = 7.0,
+                   most_bytes_read = 5.0 * 1024 * 1024, expected_and_lacking = 3.0;
+  const VolumeGrid grid{grid_of_heat(volume.surface), volume.nz, volume.dz};
+  const double lattices = lattices_of_heat(grid.surface, shortcuts),
+               of_layers = 1.0 + (shortcuts ? 0.5 : 1.0) * (lattices - 1.0);
+  const double layers = of_plastic_work ? grid.nz + 15.0 : 0.0;
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  const double field = (symmetry == Symmetry::none ? 1.0 : 0.5) * sizeof(double) * padded.x * padded.y;
+  const double kept = waves * lattices * copies + layers * of_layers * copies_of_layers;
+  const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;
+  return kept * field + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
+}
+
+/// Heat of a body and, if it may yield, thermal stress now and before the increment, and softening.
+double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, const elastoplastic::Settings& solver,
+                  Symmetry symmetry, const elastoplastic::HeatSettings& heat)
+{
+  if (!material.thermal)
+    return 0.0;
+  const double fields = material.is_plastic() ? field_bytes(grid, material.softening ? 16.0 : 15.0) : 0.0;
+  if (heat.regime == elastoplastic::HeatRegime::steady)
+    return steady_heat_bytes(grid) + fields;
+  const bool of_plastic_work = material.is_plastic() && heat.of_plastic_work > 0.0;
+  return transient_heat_bytes(grid, material, of_plastic_work, solver.shortcuts, symmetry) + fields;
+}
+
+/// Fields and transforms of the contact solver, and fields of its results.
+double contact_bytes(const SurfaceGrid& grid, int shears)
+{
+  constexpr double fields = 30.0, spectra = 4.0;
+  const PaddedLengths padded = padded_lengths(grid);
+  const double cells = fields * static_cast<double>(grid.size()) + spectra * padded.x * padded.y;
+  return (1.0 + shears) * cells * sizeof(double);
+}
+
+} // namespace
+
+double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
+                    const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
+{
+  constexpr double program = 19e6;                              // with its libraries and the writers of files
+  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
+  const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
+  double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
+  for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
+  {
+    output = std::max(output, output_bytes(*grid, *material, shears));
+    if (grid == &plan.lower || !shares_operators)
+      bodies += operator_bytes(*grid, *material, shears);
+    if (has_twin && grid == &plan.upper)
+      continue;
+    bodies += body_bytes(*grid, *material, shears) +
+              (heat ? heat_bytes(*grid, *material, solver, plan.symmetry, *heat) : 0.0);
+    trials += trial_bytes(*grid, *material, solver, plan);
+    bodies += window_bytes(plan, *grid, *material, solver, shears);
+    checkpoint += checkpoint_bytes(*grid, *material, shears);
+  }
+  constexpr double fragmentation = 1.05; // unused memory between the fields
+  return program +
+         fragmentation * (contact_bytes(plan.contact, shears) + bodies + std::max({trials, output, checkpoint}));
+}
+
+} // namespace brinell::simulation
