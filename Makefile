@@ -3,7 +3,7 @@
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
 # Further: test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
-# arm64, bench, clean. All of them may be repeated; what is done is not redone.
+# digits, arm64, bench, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -14,13 +14,15 @@ ALPHAS ?= 1 2 4 6 9#   maximum interferences of `make run`, in critical interfer
 CMAKE_ARGS ?=#         more options for CMake, e.g. CMAKE_ARGS=-DBRINELL_WERROR=ON
 PYTHONS ?=#            of the wheels of `make package`, e.g. PYTHONS="python3.10 python3.12"; that of .venv by default
 BENCH_ARGS ?=#         more options for the benchmarks, e.g. BENCH_ARGS=--benchmark_repetitions=3
+BASE ?= HEAD#          the commit with which `make digits` compares, e.g. BASE=origin/main
+DIGITS_ARGS ?=#        e.g. DIGITS_ARGS="--within 1e-12 --energies-within 1e-9", where the order of sums has changed
 COUNT_ARGS ?=#         --record makes the instructions that `make count` counts the new measure
 
 python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count bench docs clean force
+.PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
@@ -136,6 +138,10 @@ count: build/.setup-packages
 	python3 -m venv --clear build/count
 	build/count/bin/pip install --quiet --disable-pip-version-check $(wheels)
 	python3 bench/instructions.py build/count/bin/python $(COUNT_ARGS)
+
+# Whether all cases give the same digits as a commit, with one thread and with two: for changes that are to keep them.
+digits: .venv/.setup-done
+	$(python) tools/digits.py against $(BASE) $(DIGITS_ARGS)
 
 # One thread, unless OMP_NUM_THREADS says otherwise. bench/record.py appends what is measured to bench/results.csv.
 bench: export OMP_NUM_THREADS ?= 1

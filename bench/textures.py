@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Held against refinement: random cases with dents, bumps, waves, rough and measured surfaces.
 
-Each case is drawn from its number alone, computed with cells of the drawn size and of half that size, and the change of
-each number with a stated error is compared with that error. docs/verification/accuracy.md (dents and roughness) gives
-the result.
+Each case is drawn from its number alone, computed with cells of the drawn size and of half that size, or a quarter of
+it, and the change of each number with a stated error is compared with that error. docs/verification/accuracy.md (dents
+and roughness) gives the result.
 
     python bench/textures.py run --from 3000 --to 3300 -o textures.jsonl  # appends cases that it lacks
     python bench/textures.py show textures.jsonl                          # changes above 1.5 and 3 times the stated
+    python bench/textures.py accuracy --from 0 --to 20 -o accuracy.jsonl  # --accuracy 5%, and cells half as large
+
+The last one looks whether the intervals that a series of runs ends with hold the numbers of a run with cells half as
+large as its finest ones.
 """
 
 from __future__ import annotations
@@ -21,6 +25,7 @@ import re
 import subprocess
 import tempfile
 import time
+from collections.abc import Callable
 from typing import Any
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -236,14 +241,18 @@ def drawn(number: int) -> Table:
     return case
 
 
-def finer(case: Table, factor: int) -> Table:
+def finer(case: Table, factor: float) -> Table:
     """The case with cells smaller by a factor."""
     grid = dict(case["grid"])
     for key in ("resolution", "cells", "layer"):
         if key in grid:
             value = grid[key]
             grid[key] = (
-                [factor * n for n in value] if key == "cells" else value / factor if key == "layer" else factor * value
+                [round(factor * n) for n in value]
+                if key == "cells"
+                else value / factor
+                if key == "layer"
+                else factor * value
             )
     return {**case, "grid": grid}
 
@@ -260,7 +269,7 @@ def extreme_columns(history: pathlib.Path) -> Table:
     return largest
 
 
-def computed(case: Table, program: str, timeout: float) -> Table:
+def computed(case: Table, program: str, timeout: float, *more: str) -> Table:
     """Summary of a run, without profiles, or why there is none."""
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
@@ -268,7 +277,7 @@ def computed(case: Table, program: str, timeout: float) -> Table:
         begin = time.process_time()
         try:
             done = subprocess.run(
-                [program, "run", "case.toml", "-o", "result", "-q", "--threads", "1"],
+                [program, "run", "case.toml", "-o", "result", "-q", "--threads", "1", *more],
                 cwd=place,
                 capture_output=True,
                 text=True,
@@ -285,24 +294,66 @@ def computed(case: Table, program: str, timeout: float) -> Table:
         return summary
 
 
-def work(number: int, program: str, timeout: float) -> Table:
+def work(number: int, options: argparse.Namespace) -> Table:
     """A case of a number with both summaries."""
     case = drawn(number)
-    row = {"number": number, "case": case, "coarse": computed(case, program, timeout)}
+    row = {"number": number, "case": case, "coarse": computed(case, options.program, options.timeout)}
     if "error" not in row["coarse"]:
-        row["fine"] = computed(finer(case, 2), program, timeout)
+        row["fine"] = computed(finer(case, 2**options.halvings), options.program, options.timeout)
     return row
 
 
 def run(options: argparse.Namespace) -> None:
     """Computes cases and appends them to the file."""
+    append(options, work)
+
+
+def append(options: argparse.Namespace, compute: Callable[[int, argparse.Namespace], Table]) -> None:
+    """Appends the rows that the file lacks."""
     out = pathlib.Path(options.output)
     done = {json.loads(line)["number"] for line in out.read_text().splitlines()} if out.exists() else set()
     numbers = [n for n in range(options.first, options.to) if n not in done]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, out.open("a") as file:
-        for row in pool.map(lambda n: work(n, options.program, options.timeout), numbers):
+        for row in pool.map(lambda n: compute(n, options), numbers):
             file.write(json.dumps(row) + "\n")
             file.flush()
+
+
+def outside(number: int, options: argparse.Namespace) -> Table:
+    """A case by a series of runs: which of its intervals do not hold the numbers of a run with cells half as large."""
+    case = drawn(number)
+    row: Table = {"number": number, "scenario": case["scenario"]}
+    series = computed(case, options.program, options.timeout, "--accuracy", "5%")
+    if "error" in series:
+        return {**row, "error": series["error"]}
+    found = series["accuracy"]
+    finest = min(step["cells"] for step in found["runs"])
+    fine = computed(finer(case, 2.0 / finest), options.program, options.timeout)
+    if "error" in fine:
+        return {**row, "error": fine["error"]}
+    numbers_of_fine = numbers(fine)
+    row |= {"reached": found["reached"], "error_of_series": found["error"], "runs": len(found["runs"])}
+    row |= {"warnings": [warning["key"] for warning in series["warnings"]]}
+    held = {
+        name: interval["low"] <= numbers_of_fine[name] <= interval["high"]
+        for name, interval in found["numbers"].items()
+        if name in numbers_of_fine
+    }
+    row |= {"numbers": len(held), "outside": [name for name, holds in held.items() if not holds]}
+    row |= {"outside_of_key_numbers": [name for name in row["outside"] if name in found["key_numbers"]]}
+    return row
+
+
+def accuracy(options: argparse.Namespace) -> None:
+    """Computes series of runs, appends what they end with, and prints it."""
+    append(options, outside)
+    rows = [json.loads(line) for line in pathlib.Path(options.output).read_text().splitlines()]
+    done = [row for row in rows if "error" not in row]
+    reached = sum(row["reached"] for row in done)
+    held = sum(not row["outside"] for row in done)
+    all_numbers, beyond = sum(row["numbers"] for row in done), sum(len(row["outside"]) for row in done)
+    print(f"{len(rows)} cases, {len(done)} with a run twice as fine; {reached} reach the accuracy")
+    print(f"{held} hold all numbers; {beyond} of {all_numbers} numbers lie outside of their interval")
 
 
 # Names of the numbers of each stated error; columns are the largest values of the history.
@@ -387,14 +438,17 @@ def main() -> None:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     sub = parser.add_subparsers(required=True)
-    runs = sub.add_parser("run")
-    runs.add_argument("--from", dest="first", type=int, default=0)
-    runs.add_argument("--to", type=int, default=300)
-    runs.add_argument("--jobs", type=int, default=2)
-    runs.add_argument("--timeout", type=float, default=120)
-    runs.add_argument("--program", default=str(PROGRAM))
-    runs.add_argument("-o", "--output", default="textures.jsonl")
+    draws = argparse.ArgumentParser(add_help=False)
+    draws.add_argument("--from", dest="first", type=int, default=0)
+    draws.add_argument("--to", type=int, default=300)
+    draws.add_argument("--jobs", type=int, default=2)
+    draws.add_argument("--timeout", type=float, default=120)
+    draws.add_argument("--program", default=str(PROGRAM))
+    draws.add_argument("-o", "--output", default="textures.jsonl")
+    runs = sub.add_parser("run", parents=[draws])
+    runs.add_argument("--halvings", type=int, choices=(1, 2), default=1, help="of the cells")
     runs.set_defaults(do=run)
+    sub.add_parser("accuracy", parents=[draws]).set_defaults(do=accuracy)
     shows = sub.add_parser("show")
     shows.add_argument("files", nargs="+")
     shows.add_argument("--worst", type=int, default=10)

@@ -42,7 +42,7 @@ def run(program: Path, folder: Path, only: list[str], jobs: int) -> None:
         if (output / "summary.json").exists():
             return
         case = ROOT / "cases" / name / "case.toml"
-        command = [program, "run", "--quiet", "--force", "--threads", str(threads), case, "-o", output]
+        command = [program, "run", "--quiet", "--threads", str(threads), case, "-o", output]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"digits: {name} failed with {program}: {done.stderr.strip()}")
@@ -124,7 +124,9 @@ def compare(before: Path, after: Path, within: float, energies_within: float) ->
             worst = max(worst, (part, name))
         if worst[0] > 0.0:
             print(f"{result}: largest difference {worst[0]:.1e}, {worst[1]}")
-    print(f"digits: {compared} columns and datasets, {differing} differ, {refused} refused; sha256 {digest.hexdigest()[:16]}")
+    print(
+        f"digits: {compared} columns and datasets, {differing} differ, {refused} refused; sha256 {digest.hexdigest()[:16]}"
+    )
     return refused
 
 
