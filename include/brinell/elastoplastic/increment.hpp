@@ -3,12 +3,12 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/elastoplastic/body_view.hpp"
+#include "brinell/elastoplastic/effects.hpp"
 #include "brinell/elastoplastic/heating.hpp"
 #include "brinell/elastoplastic/partial_slip.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/elastoplastic/sliding.hpp"
-#include "brinell/elastoplastic/wear.hpp"
 #include "brinell/elastoplastic/window_error.hpp"
 
 #include <array>
@@ -116,10 +116,10 @@ struct History
   std::unique_ptr<Interface> interface {
   };                                  ///< none without friction
   std::unique_ptr<Heating> heating{}; ///< none without heat
-  std::unique_ptr<Wear> wear{};       ///< none without wear
+  std::vector<std::unique_ptr<Effect>> effects{};
 };
 
-/// Tangential behaviour of the contact: friction, wear, direction of sliding, heat.
+/// What happens between the surfaces: friction, direction of sliding, heat, further effects.
 struct Sliding
 {
   Friction friction{};
@@ -127,7 +127,7 @@ struct Sliding
   bool sticks = false; ///< partial slip: surfaces stick where friction can hold them; `direction` is not used then
   /// Heat of friction; none: heat is not computed. The steady regime is not available where surfaces may stick.
   std::optional<HeatedRun> heat{};
-  WearLaw wear{};
+  Effects effects{};
 };
 
 /// The solver of the coupled problem of contact and plastic flow, with its buffers.
@@ -162,8 +162,17 @@ public:
   [[nodiscard]] const PartialSlip* partial_slip() const;
   /// The heat of friction in both bodies; nullptr where none is computed.
   [[nodiscard]] const Heating* heating() const { return heating_.get(); }
-  /// Material lost by both surfaces; nullptr without wear.
-  [[nodiscard]] const Wear* wear() const { return wear_.get(); }
+  /// The effects that act between the surfaces.
+  [[nodiscard]] std::span<const std::unique_ptr<Effect>> effects() const { return effects_; }
+  /// The effect of a kind, such as Wear; nullptr where it does not act.
+  template <typename Kind>
+  [[nodiscard]] const Kind* effect() const
+  {
+    for (const std::unique_ptr<Effect>& one : effects_)
+      if (const auto* found = dynamic_cast<const Kind*>(one.get()))
+        return found;
+    return nullptr;
+  }
   /// Mechanical work of thermal expansion since the start, on the pressure and on the plastic strain [J].
   [[nodiscard]] double expansion_work() const;
   /// Elastic contact stiffness: change of load per change of approach, without yielding [N/m]: contact::stiffness.
@@ -185,7 +194,7 @@ public:
                                         const Placement& placement, const Strategy& strategy,
                                         const contact::TangentialDrive& along = {});
 
-  /// Adds to `out` the depth of a surface under the contact grid, from texture, residual displacement and wear [m]; zero outside
+  /// Adds to `out` the depth of a surface under the contact grid, from texture, residual displacement and effects such as wear [m]; zero outside
   /// the grid of the body.
   void add_lower_depth(const Place& place, std::span<double> out) const;
   void add_upper_depth(const Place& place, std::span<double> out) const;
@@ -257,8 +266,11 @@ private:
   [[nodiscard]] std::array<double, 2> columns_moved(const Placement& placement) const;
   void begin_friction(const Placement& placement, const Strategy& strategy, const contact::TangentialDrive& along);
   [[nodiscard]] Interface::Change follow(const Placement& placement);
-  void begin_wear();
-  [[nodiscard]] double follow_wear();
+  [[nodiscard]] Interaction interaction() const;
+  void begin_effects();
+  [[nodiscard]] double evaluate_effects();
+  void find_compliance();
+  [[nodiscard]] double largest_depth_of_effects() const;
   void begin_heating(const Placement& placement, const Strategy& strategy);
   void settle_heating(const Strategy& strategy);
   [[nodiscard]] double follow_heat(Heating::Sharing sharing);
@@ -285,9 +297,10 @@ private:
   Symmetry symmetry_;
   std::unique_ptr<Interface> interface_; ///< none without friction
   std::unique_ptr<Heating> heating_;     ///< none without heat
-  std::unique_ptr<Wear> wear_;           ///< none without wear
-  double slid_ = 0.0;                    ///< Strategy::slid of the current increment, 0 if nothing slides [m]
-  std::array<double, 2> driven_along_{}; ///< Interface::direction of the current increment
+  std::vector<std::unique_ptr<Effect>> effects_;
+  std::vector<double> compliance_of_effects_; ///< change of the gap per pressure by all effects [m/Pa]; empty: none
+  double slid_ = 0.0;                         ///< Strategy::slid of the current increment, 0 if nothing slides [m]
+  std::array<double, 2> driven_along_{};      ///< Interface::direction of the current increment
   WindowError window_error_;
   Placement placement_;
   double approach_ = 0.0;

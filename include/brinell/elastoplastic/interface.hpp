@@ -102,6 +102,25 @@ public:
 
   /// Along x and y; a part that never acts is empty [Pa].
   [[nodiscard]] virtual contact::ConstAlongSurface shears() const = 0;
+  /// Whether the slip of an increment is known at its beginning: the surfaces slide everywhere.
+  [[nodiscard]] virtual bool knows_slip() const = 0;
+  /// Slip length in the current increment, where the surfaces slip on each other or part; 0 elsewhere [m].
+  /// @param slid  sliding distance of the undeformed surfaces in the increment [m]
+  [[nodiscard]] virtual std::vector<double> slip_length(double slid) const = 0;
+  /// Pressure before the current increment, on the points that lie in each cell at its end [Pa].
+  /// @param last  pressure on the points that lay there then [Pa]
+  [[nodiscard]] virtual std::span<const double> pressure_before(std::span<const double> last) const { return last; }
+  /// Pressure, or shear, under which slip begins in the current increment [Pa]; empty where it begins under that at its end.
+  [[nodiscard]] virtual std::vector<double> pressure_of_onset(std::span<const double> /*pressure*/) const { return {}; }
+  [[nodiscard]] virtual std::vector<double> shear_of_onset() const { return {}; }
+  /// Friction work per area in the current increment, by the trial, for the heat that acts back on it [J/m^2].
+  [[nodiscard]] virtual std::vector<double> heat_of_trial(double slid) const = 0;
+  /// Heat of friction per area in the increment, after `settle`, with that of points that left the contact [J/m^2].
+  [[nodiscard]] virtual std::vector<double> heat_of_increment(double slid) const = 0;
+  /// Mean of the shears before and after the last increment, of the points that lie in each cell, where they work on the thermal
+  /// displacement along the surface [Pa]; empty elsewhere.
+  [[nodiscard]] virtual std::array<std::vector<double>, 2> mean_shears() const { return {}; }
+
   /// Sum of the shears [N].
   [[nodiscard]] virtual std::array<double, 2> forces() const = 0;
   /// Elastic energy that the shear adds to that of the pressure, as of the last increment [J].

@@ -52,23 +52,21 @@ public:
 
   /// Signed slip since the start, or since these points of the surfaces came under the contact grid [m].
   [[nodiscard]] contact::ConstAlongSurface slips() const { return {state_.slip[0], state_.slip[1]}; }
-  /// Slip length in the current increment, where the surfaces slip on each other or part; 0 elsewhere [m].
-  [[nodiscard]] std::vector<double> slipped() const;
-  /// Pressure before the current increment, on the points that now lie in each cell [Pa].
-  [[nodiscard]] std::span<const double> pressure_before() const { return pressure_before_; }
-  /// Pressure, or shear, under which slip begins in the current increment [Pa].
-  [[nodiscard]] std::vector<double> pressure_of_onset(std::span<const double> pressure) const;
-  [[nodiscard]] std::vector<double> shear_of_onset() const;
+  [[nodiscard]] bool knows_slip() const override { return false; }
+  [[nodiscard]] std::vector<double> slip_length(double slid) const override;
+  [[nodiscard]] std::span<const double> pressure_before(std::span<const double> /*last*/) const override
+  {
+    return pressure_before_;
+  }
+  [[nodiscard]] std::vector<double> pressure_of_onset(std::span<const double> pressure) const override;
+  [[nodiscard]] std::vector<double> shear_of_onset() const override;
   /// Accumulated slip length, over the same time as `slips` [m].
   [[nodiscard]] std::span<const double> path() const { return state_.path; }
   /// Heat of friction per area, over the same time as `slips` [J/m^2].
   [[nodiscard]] std::span<const double> heat_per_area() const { return state_.heat; }
-  /// Heat of friction per area in the current increment [J/m^2]: of the trial, and after `settle` with the heat of points that
-  /// left the contact.
-  [[nodiscard]] std::vector<double> heat_of_trial() const;
-  [[nodiscard]] std::span<const double> heat_of_increment() const { return heat_of_increment_; }
-  /// Mean of the shears before and after the last increment, of the points that lie in each cell [Pa].
-  [[nodiscard]] std::array<std::vector<double>, 2> mean_shears() const;
+  [[nodiscard]] std::vector<double> heat_of_trial(double slid) const override;
+  [[nodiscard]] std::vector<double> heat_of_increment(double /*slid*/) const override { return heat_of_increment_; }
+  [[nodiscard]] std::array<std::vector<double>, 2> mean_shears() const override;
   /// Heat of friction since the start, including points that have left the grid [J].
   [[nodiscard]] double heat() const { return state_.total_heat; }
   /// Displacement of distant points of the upper body relative to those of the lower one since the start, along x and y [m].

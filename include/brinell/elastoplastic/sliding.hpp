@@ -54,12 +54,13 @@ public:
   /// Work of the shear on the deformation of both bodies since the start [J].
   [[nodiscard]] double work() const { return state_.work; }
 
-  /// Heat of friction per area in the last increment [J/m^2]: work of the shear on the sliding distance, minus its work on the
-  /// deformation of the bodies in this increment and in those at rest before it.
-  /// @param slid  sliding distance of the undeformed surfaces in the increment [m]
-  [[nodiscard]] std::vector<double> heat_per_area(double slid) const;
-  /// Work per area of the shear of the trial on the sliding distance [J/m^2].
-  [[nodiscard]] std::vector<double> work_on_way(double slid) const;
+  [[nodiscard]] bool knows_slip() const override { return true; }
+  [[nodiscard]] std::vector<double> slip_length(double slid) const override;
+  /// Work of the shear of the trial on the sliding distance, per area [J/m^2].
+  [[nodiscard]] std::vector<double> heat_of_trial(double slid) const override;
+  /// Work of the shear on the sliding distance, minus its work on the deformation of the bodies in this increment and in those at
+  /// rest before it, per area [J/m^2].
+  [[nodiscard]] std::vector<double> heat_of_increment(double slid) const override;
 
   void exchange(Archive& archive) override { state_.exchange(archive); }
   void embed(const Interface& smaller) override;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/elastoplastic/placement.hpp"
-#include "brinell/foundation/archive.hpp"
+#include "brinell/elastoplastic/effect.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -30,6 +30,15 @@ struct WearLaw
   bool operator==(const WearLaw&) const = default;
 };
 
+/// Wear of the lower and the upper surface since the start; zero without wear.
+struct WearTotals
+{
+  double worn_volume_lower = 0.0, worn_volume_upper = 0.0;       ///< [m^3]
+  double max_worn_depth_lower = 0.0, max_worn_depth_upper = 0.0; ///< [m]
+  double max_wear_step = 0.0; ///< largest depth lost by both surfaces together in one increment [m]
+  double work_of_wear = 0.0;  ///< work of the pressure on the worn depth since the start [J]
+};
+
 /// Worn depth of both surfaces, on their own material grids, and the wear of the current increment.
 ///
 /// The worn depth of an increment follows from the pressure at its end (backward Euler) and is solved together with it: for the
@@ -37,43 +46,31 @@ struct WearLaw
 /// for any amount of wear in an increment. Where surfaces may stick, a point slips while the pressure on it changes, in a contact
 /// that rolls by as much as itself: half of the slip counts under the pressure at which it begins (trapezoidal rule), and less of
 /// it the more the wear of the increment exceeds what an explicit scheme would bear.
-class Wear
+class Wear final : public Effect
 {
 public:
   /// @param modulus  of the contact [Pa]
   Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law,
        double modulus);
 
-  /// Pressure and slip of the trial of an increment; one value per cell of the contact grid.
-  struct Slip
-  {
-    std::span<const double> pressure; ///< [Pa]
-    std::span<const double> length;   ///< slip length in the increment [m]
-    std::span<const double> shear;    ///< magnitude [Pa]; for WearLaw::Kind::energy
-    /// Pressure, or for WearLaw::Kind::energy the shear, under which slip begins in the increment [Pa]; empty: all slip counts
-    /// under the pressure at the end.
-    std::span<const double> onset{};
-  };
-
-  /// Begins an increment.
-  /// @param pressure  before the increment, on the points of the surfaces that wear in each cell [Pa]
-  void begin(std::span<const double> pressure);
+  [[nodiscard]] std::string_view name() const override { return "wear"; }
+  void begin(const Interaction& before) override;
   /// Sets the worn depth per pressure.
   /// @returns the largest change of the worn depth of both surfaces together [m]
-  double follow(const Slip& slip);
+  double evaluate(const Interaction& trial) override;
   /// Depth that both surfaces lose in the increment per pressure at its end [m/Pa], on the contact grid.
-  [[nodiscard]] std::span<const double> compliance() const { return compliance_; }
+  [[nodiscard]] std::span<const double> compliance() const override { return compliance_; }
   /// Adds the depth that both surfaces lose in the increment whatever the pressure at its end [m].
-  void add_to_gap(std::span<double> gap) const;
-  /// Contribution of the wear to the energy of the increment's convex problem, with the slip held fixed [J].
-  [[nodiscard]] double held_energy(std::span<const double> pressure) const;
-  /// Ends an increment: adds its wear to the worn depths.
-  void settle(std::span<const double> pressure, const Placement& placement);
+  void add_to_gap(std::span<double> gap) const override;
+  [[nodiscard]] double held_energy(std::span<const double> pressure) const override;
+  /// Adds the wear of the increment to the worn depths.
+  void commit(const Interaction& found, const Placement& placement) override;
 
   [[nodiscard]] const WearLaw& law() const { return law_; }
   /// Worn depth since the start of the lower (0) or upper (1) surface.
   [[nodiscard]] std::span<const double> depth(std::size_t side) const { return sides_.at(side).depth; } ///< [m]
   [[nodiscard]] double largest_depth(std::size_t side) const;                                           ///< [m]
+  [[nodiscard]] double largest_depth() const override { return std::max(largest_depth(0), largest_depth(1)); }
   /// Worn volume, summed from the increments on the contact grid [m^3]; equals the sum of the depth over the cells up to
   /// rounding.
   [[nodiscard]] double volume(std::size_t side) const { return sides_.at(side).volume; }
@@ -82,11 +79,11 @@ public:
   /// Work of the pressure on the worn depth [J].
   [[nodiscard]] double work() const { return work_; }
   /// Adds the worn depth of a surface to the cells of the contact grid above it [m].
-  void add_depth(std::size_t side, const Place& place, std::span<double> out) const;
+  void add_depth(std::size_t side, const Place& place, std::span<double> out) const override;
 
-  void exchange(Archive& archive);
-  /// Takes over the history of smaller grids with the same centres.
-  void embed(const Wear& smaller);
+  void report(EffectTotals& totals) const override;
+  void exchange(Archive& archive) override;
+  void embed(const Effect& smaller) override;
 
 private:
   struct Side

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/column.hpp"
 #include "brinell/simulation/scenario.hpp"
 
 #include <algorithm>
@@ -8,35 +9,11 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
-#include <variant>
 
 /// Tables of the numbers of each record. Each table stands once, in the header of its scenario; checkpoints, history.csv,
 /// result.vtkhdf, summary.json and the Python package are generated from it.
 namespace brinell::simulation
 {
-
-/// One number of a record, with its name and unit in files.
-template <typename Record>
-struct Column
-{
-  using Member = std::variant<int Record::*, double Record::*>;
-
-  std::string_view name; ///< that of the member
-  std::string_view unit; ///< "1" for a pure number
-  Member member;
-  std::string_view text{}; ///< description, for files that have descriptions
-
-  [[nodiscard]] constexpr std::variant<int, double> value(const Record& record) const
-  {
-    return std::visit([&](auto m) { return std::variant<int, double>(record.*m); }, member);
-  }
-  /// A column of a record is also a column of every derived record.
-  template <std::derived_from<Record> Derived>
-  constexpr operator Column<Derived>() const // NOLINT(google-explicit-constructor)
-  {
-    return {name, unit, std::visit([](auto m) { return typename Column<Derived>::Member(m); }, member), text};
-  }
-};
 
 /// All columns of a record, in the order of the files. nullptr for a record without a table, so that looping over it does not
 /// compile.
@@ -78,17 +55,6 @@ inline constexpr std::array<Column<HeatedRecord>, 7> heated{{
      "work of the bodies by thermal expansion since the start"},
 }};
 
-/// Columns of the scenarios in which the surfaces may wear.
-inline constexpr std::array<Row, 6> worn{{
-    {"worn_volume_lower", "m^3", &StepRecord::worn_volume_lower, "worn volume of the lower body"},
-    {"worn_volume_upper", "m^3", &StepRecord::worn_volume_upper, "worn volume of the upper body"},
-    {"max_worn_depth_lower", "m", &StepRecord::max_worn_depth_lower, "largest worn depth of the lower surface"},
-    {"max_worn_depth_upper", "m", &StepRecord::max_worn_depth_upper, "largest worn depth of the upper surface"},
-    {"max_wear_step", "m", &StepRecord::max_wear_step,
-     "largest worn depth of both surfaces together in one increment so far"},
-    {"work_of_wear", "J", &StepRecord::work_of_wear, "work of the pressure on the worn depth since the start"},
-}};
-
 /// Columns that end each row.
 inline constexpr std::array<Row, 10> ending{{
     {"work", "J", &StepRecord::work, "work of the drive since the start"},
@@ -104,12 +70,22 @@ inline constexpr std::array<Row, 10> ending{{
     {"evaluations", "1", &StepRecord::evaluations, "evaluations of the elastic-plastic operator in this step"},
 }};
 
-/// The columns of a row: those that begin it, and the ending.
+/// The columns of a row: those that begin it, those of heat and of the effects between the surfaces in scenarios that have them,
+/// and the ending.
 template <typename Record, std::size_t N>
-constexpr std::array<Column<Record>, N + ending.size()> row(const Column<Record> (&beginning)[N])
+constexpr auto row(const Column<Record> (&beginning)[N])
 {
-  std::array<Column<Record>, N + ending.size()> all{};
-  std::copy(ending.begin(), ending.end(), std::copy(beginning, beginning + N, all.begin()));
+  constexpr bool is_heated = std::derived_from<Record, HeatedRecord>;
+  constexpr std::size_t middle = is_heated ? heated.size() + elastoplastic::effect_columns.size() : 0;
+  std::array<Column<Record>, N + middle + ending.size()> all{};
+  auto next = std::copy(beginning, beginning + N, all.begin());
+  if constexpr (is_heated)
+  {
+    next = std::copy(heated.begin(), heated.end(), next);
+    for (const elastoplastic::EffectColumn& of_effect : elastoplastic::effect_columns)
+      *next++ = Column<StepRecord>(of_effect.column);
+  }
+  std::copy(ending.begin(), ending.end(), next);
   return all;
 }
 

@@ -110,19 +110,6 @@ inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
     {"slip_path", "m", &FrettingRecord::slip_path, "largest slip length of a point since the start"},
     common::contact_area,
     common::max_pressure,
-    common::heated[0],
-    common::heated[1],
-    common::heated[2],
-    common::heated[3],
-    common::heated[4],
-    common::heated[5],
-    common::heated[6],
-    common::worn[0],
-    common::worn[1],
-    common::worn[2],
-    common::worn[3],
-    common::worn[4],
-    common::worn[5],
 });
 
 /// In summary.json each name has its unit as suffix.

@@ -158,19 +158,6 @@ inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({
      "largest slip length of a point under the contact since it came there; 0 without creepage"},
     common::contact_area,
     common::max_pressure,
-    common::heated[0],
-    common::heated[1],
-    common::heated[2],
-    common::heated[3],
-    common::heated[4],
-    common::heated[5],
-    common::heated[6],
-    common::worn[0],
-    common::worn[1],
-    common::worn[2],
-    common::worn[3],
-    common::worn[4],
-    common::worn[5],
 });
 
 template <>

@@ -87,10 +87,9 @@ private:
 [[nodiscard]] double line_length(const Shape& lower, const Shape& upper, const Domain& domain);
 
 /// Parameters that the cases of all scenarios have besides their bodies: cells, solver, and the interface of the surfaces.
-struct Numerics
+struct Numerics : elastoplastic::Effects ///< the effects act where the surfaces slide on each other
 {
   elastoplastic::Friction friction; ///< where the surfaces slide on each other
-  elastoplastic::WearLaw wear;      ///< where the surfaces slide on each other
   elastoplastic::HeatSettings heat; ///< in bodies that have thermal constants
   Domain domain;
   std::optional<std::array<double, 3>> spacing; ///< cell sizes dx, dy, dz [m]
@@ -135,7 +134,7 @@ struct Coverage
 };
 
 /// Totals of a run since its start: part of every row of a history, and of every summary for the last row.
-struct RunningTotals
+struct RunningTotals : elastoplastic::EffectTotals
 {
   double work = 0.0;                                       ///< of the drive since the start [J]
   double dissipation_lower = 0.0, dissipation_upper = 0.0; ///< plastic work since the start [J]
@@ -145,11 +144,6 @@ struct RunningTotals
   double energy_elastic = 0.0;       ///< recoverable energy of pressure and shear [J]
   double max_residual_lower = 0.0, max_residual_upper = 0.0; ///< largest depth of the residual displacement [m]
   double max_equivalent_plastic_strain = 0.0;
-  /// Wear of the lower and the upper surface since the start; zero without wear.
-  double worn_volume_lower = 0.0, worn_volume_upper = 0.0;       ///< [m^3]
-  double max_worn_depth_lower = 0.0, max_worn_depth_upper = 0.0; ///< [m]
-  double max_wear_step = 0.0; ///< largest depth lost by both surfaces together in one increment [m]
-  double work_of_wear = 0.0;  ///< work of the pressure on the worn depth since the start [J]
   Coverage coverage;
 };
 

@@ -135,19 +135,6 @@ inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({
     {"nominal_pressure", "Pa", &SlidingRecord::nominal_pressure, "load over the area of the period"},
     {"mean_gap", "m", &SlidingRecord::mean_gap, "mean distance of the deformed surfaces over the period"},
     common::max_pressure,
-    common::heated[0],
-    common::heated[1],
-    common::heated[2],
-    common::heated[3],
-    common::heated[4],
-    common::heated[5],
-    common::heated[6],
-    common::worn[0],
-    common::worn[1],
-    common::worn[2],
-    common::worn[3],
-    common::worn[4],
-    common::worn[5],
 });
 
 /// In summary.json each name has its unit as suffix.

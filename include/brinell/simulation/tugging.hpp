@@ -145,19 +145,6 @@ inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({
     {"F_Z_macro", "N", &TuggingRecord::F_Z_macro, "F_Z without the slope of the residual surfaces"},
     common::F_friction,
     common::share_at_shear_limit,
-    common::heated[0],
-    common::heated[1],
-    common::heated[2],
-    common::heated[3],
-    common::heated[4],
-    common::heated[5],
-    common::heated[6],
-    common::worn[0],
-    common::worn[1],
-    common::worn[2],
-    common::worn[3],
-    common::worn[4],
-    common::worn[5],
 });
 
 } // namespace brinell::simulation

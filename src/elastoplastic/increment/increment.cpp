@@ -174,9 +174,8 @@ void CoupledContact::solve_contact(std::span<const double> distance, const conta
 void CoupledContact::press(const contact::Drive& drive, const Strategy& strategy, IncrementReport& report)
 {
   constexpr int max_iterations = 2000;
-  const contact::Report contact =
-      contact_.solve(distance_, drive, tolerance_of_gap(), max_iterations, pressure_, gap_, strategy.wants_stop,
-                     wear_ ? wear_->compliance() : std::span<const double>{});
+  const contact::Report contact = contact_.solve(distance_, drive, tolerance_of_gap(), max_iterations, pressure_, gap_,
+                                                 strategy.wants_stop, compliance_of_effects_);
   if (symmetry_ != Symmetry::none) // otherwise rounding errors would grow from step to step
     for (std::vector<double>* field : {&pressure_, &gap_})
       complete_in_y(grid(), 1.0, field->data(), field->size());
@@ -290,8 +289,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   Rollback rollback(pressure_, gap_, window_error_, sides_, interface_.get(), heating_.get());
   for (Side& side : sides_)
     side.body.begin((placement.*side.place).column - (placement_.*side.place).column, strategy.stiffness_share);
-  if (wear_)
-    begin_wear();
+  begin_effects();
   if (heating_)
     begin_heating(placement, strategy);
   IncrementReport report = iterate(distance, drive, placement, strategy);
@@ -314,8 +312,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   report.energy = energy(imposed_approach(drive, report.approach)); // after commit, which computes the locked-in part
   if (interface_)
     settle_friction(placement);
-  if (wear_)
-    wear_->settle(pressure_, placement);
+  for (const std::unique_ptr<Effect>& effect : effects_)
+    effect->commit(interaction(), placement);
   if (heating_)
     settle_heating(strategy);
   placement_ = placement;

@@ -40,8 +40,10 @@ double CoupledContact::energy(double approach) const
     bodies *= 2.0;
   const double shear_energy = interface_ ? interface_->held_energy() : 0.0;
   const double thermal_work = heating_ ? heating_->work_of_shears(interface_->shears()) : 0.0;
-  const double wear_energy = wear_ ? wear_->held_energy(pressure_) : 0.0;
-  return bodies - pressure_energy() - work * grid().cell_area() + shear_energy - thermal_work + wear_energy;
+  double energy_of_effects = 0.0;
+  for (const std::unique_ptr<Effect>& effect : effects_)
+    energy_of_effects += effect->held_energy(pressure_);
+  return bodies - pressure_energy() - work * grid().cell_area() + shear_energy - thermal_work + energy_of_effects;
 }
 
 } // namespace brinell::elastoplastic

@@ -169,7 +169,7 @@ double CoupledContact::tolerance_of_gap() const
   return interface_ ? interface_->tolerance_of_gap(usual) : usual;
 }
 
-/// Solves alternately for pressure and for shear, heat and wear, until the gap no longer changes; one turn if they do not affect
+/// Solves alternately for pressure and for shear, heat and other effects, until the gap no longer changes; one turn if they do not affect
 /// the gap.
 /// @param closing  whether the increment may end with this evaluation. If not, the effect of heat on the gap is not iterated to
 ///                 convergence but taken into account in the next evaluation.
@@ -189,8 +189,8 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
       interface_->add_to_gap(distance_);
     if (heating_)
       heating_->add_to_gap(distance_);
-    if (wear_)
-      wear_->add_to_gap(distance_);
+    for (const std::unique_ptr<Effect>& effect : effects_)
+      effect->add_to_gap(distance_);
     press(drive, strategy, report);
     Interface::Change change = follow(placement);
     const double heat_change = heating_ && !strategy.watch_energy
@@ -198,8 +198,8 @@ void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const
                                    : 0.0;
     if (exact)
       change.gap = larger(change.gap, heat_change);
-    if (wear_ && !strategy.watch_energy)
-      change.gap = larger(change.gap, follow_wear());
+    if (!strategy.watch_energy)
+      change.gap = larger(change.gap, evaluate_effects());
     report.overloaded = change.is_overloaded;
     report.contact_converged = report.contact_converged && change.is_solved && heat_change <= tolerance;
     if (change.gap <= tolerance)
@@ -223,7 +223,7 @@ Interface::Change CoupledContact::follow(const Placement& placement)
   return change;
 }
 
-/// After convergence with the law of friction held: updates bound, heat and wear to the present pressure.
+/// After convergence with the law of friction held: updates bound, heat and other effects to the present pressure.
 /// @returns whether they changed by more than the tolerances; the iteration then continues.
 bool CoupledContact::renews_law(IncrementReport& report)
 {
@@ -232,8 +232,7 @@ bool CoupledContact::renews_law(IncrementReport& report)
   Interface::Change change = interface_->renew({.pressure = pressure_, .lower_x = {}, .upper_x = {}});
   if (heating_)
     change.gap = larger(change.gap, follow_heat(Heating::Sharing::fine));
-  if (wear_)
-    change.gap = larger(change.gap, follow_wear());
+  change.gap = larger(change.gap, evaluate_effects());
   const contact::ConstAlongSurface shears = interface_->shears();
   double largest = 0.0;
   for (const std::span<const double>& shear : shears)

@@ -20,7 +20,7 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
                    .places = {placement.lower, placement.upper},
                    .columns = columns,
                    .duration = strategy.duration,
-                   .slides = sliding() != nullptr ? strategy.slid > 0.0 : strategy.slides,
+                   .slides = interface_->knows_slip() ? strategy.slid > 0.0 : strategy.slides,
                    .pressure_before = pressure_,
                    .is_source_on = !strategy.returns});
   for (std::size_t side = 0; side < sides_.size() && strategy.duration > 0.0; ++side)
@@ -34,9 +34,7 @@ void CoupledContact::begin_heating(const Placement& placement, const Strategy& s
 /// @returns the largest change of the thermal displacement [m]
 double CoupledContact::follow_heat(Heating::Sharing sharing)
 {
-  const PartialSlip* partial = partial_slip();
-  return heating_->follow(pressure_, partial != nullptr ? partial->heat_of_trial() : sliding()->work_on_way(slid_),
-                          sharing);
+  return heating_->follow(pressure_, interface_->heat_of_trial(slid_), sharing);
 }
 
 void CoupledContact::settle_heating(const Strategy& strategy)
@@ -47,11 +45,8 @@ void CoupledContact::settle_heating(const Strategy& strategy)
       const Body& body = sides_[side].body;
       heating_->settle_work(side, body.work_of_increment(), body.grid());
     }
-  const PartialSlip* partial = partial_slip();
-  if (partial == nullptr)
-    return heating_->settle(pressure_, sliding()->heat_per_area(strategy.slid));
-  const std::array<std::vector<double>, 2> shears = partial->mean_shears();
-  heating_->settle(pressure_, partial->heat_of_increment(), {shears[0], shears[1]});
+  const std::array<std::vector<double>, 2> shears = interface_->mean_shears();
+  heating_->settle(pressure_, interface_->heat_of_increment(strategy.slid), {shears[0], shears[1]});
 }
 
 double CoupledContact::expansion_work() const

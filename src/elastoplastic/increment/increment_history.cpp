@@ -46,8 +46,8 @@ void CoupledContact::exchange(Archive& archive)
     archive("sliding", *interface_);
   if (heating_)
     archive("heating", *heating_);
-  if (wear_)
-    archive("wear", *wear_);
+  for (const std::unique_ptr<Effect>& effect : effects_)
+    archive(std::string(effect->name()), *effect);
 }
 
 History CoupledContact::take_history() &&
@@ -61,7 +61,7 @@ History CoupledContact::take_history() &&
                   std::move(pressure_),
                   std::move(interface_),
                   std::move(heating_),
-                  std::move(wear_)};
+                  std::move(effects_)};
   for (Side& side : sides_)
     history.solved.push_back(std::move(side.body).take_state());
   return history;
@@ -89,8 +89,8 @@ void CoupledContact::continue_from(History history)
     heating_ = std::move(history.heating); // the thermal grids do not grow
     heating_->move_to(grid());
   }
-  if (wear_)
-    wear_->embed(*history.wear);
+  for (std::size_t i = 0; i < effects_.size(); ++i)
+    effects_[i]->embed(*history.effects[i]);
   spread(placement_);
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());

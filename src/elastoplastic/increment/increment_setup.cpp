@@ -65,11 +65,10 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     heating_ = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
         *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_, partial_slip() != nullptr});
-  if (twin != Twin::none && !sliding.wear.is_alike())
-    throw InternalError("CoupledContact: bodies of which one wears more are not twins");
-  if (sliding.wear.wears())
-    wear_ = std::make_unique<Wear>(contact, lower.surface, upper.surface, sliding.wear,
-                                   contact_modulus(lower_material.elastic, upper_material.elastic));
+  if (twin != Twin::none && !sliding.effects.are_alike())
+    throw InternalError("CoupledContact: bodies on which an effect acts in different ways are not twins");
+  effects_ = make_effects(sliding.effects, contact, lower.surface, upper.surface,
+                          contact_modulus(lower_material.elastic, upper_material.elastic));
   const auto half_space = operators(lower, lower_material.elastic);
   const halfspace::Displacements displacements = displacements_under(interface_.get());
   sides_.push_back(

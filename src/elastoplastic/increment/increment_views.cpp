@@ -32,15 +32,15 @@ void add_depth_of(const BodyView& view, const Place& place, const SurfaceGrid& c
 void CoupledContact::add_lower_depth(const Place& place, std::span<double> out) const
 {
   add_depth_of(lower(), place, grid(), out);
-  if (wear_)
-    wear_->add_depth(0, place, out);
+  for (const std::unique_ptr<Effect>& effect : effects_)
+    effect->add_depth(0, place, out);
 }
 
 void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) const
 {
   add_depth_of(upper(), place, grid(), out);
-  if (wear_)
-    wear_->add_depth(1, place, out);
+  for (const std::unique_ptr<Effect>& effect : effects_)
+    effect->add_depth(1, place, out);
 }
 
 CoupledContact::Stress CoupledContact::lower_stress(const Place& place, int layers)
@@ -87,7 +87,7 @@ Outgrown CoupledContact::outgrown() const
   };
   Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
   // The gap in two open cells tells where between cells a worn contact ends: contact::contact_area.
-  const bool has_worn = wear_ && std::max(wear_->largest_depth(0), wear_->largest_depth(1)) > tolerance_of_gap();
+  const bool has_worn = largest_depth_of_effects() > tolerance_of_gap();
   std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(has_worn ? 2 : 1);
   return result;
 }

@@ -20,7 +20,7 @@ bool PartialSlip::slips_at(std::size_t cell) const
   return size > 0.0 && size >= contact::slip_threshold * bound_[cell];
 }
 
-std::vector<double> PartialSlip::slipped() const
+std::vector<double> PartialSlip::slip_length(double /*slid*/) const
 {
   std::vector<double> length(bound_.size());
   for (std::size_t i = 0; i < length.size(); ++i)
@@ -71,7 +71,7 @@ std::vector<double> PartialSlip::pressure_of_onset(std::span<const double> press
   return onset;
 }
 
-std::vector<double> PartialSlip::heat_of_trial() const
+std::vector<double> PartialSlip::heat_of_trial(double /*slid*/) const
 {
   std::vector<double> heat(bound_.size());
   for (std::size_t i = 0; i < heat.size(); ++i)

@@ -209,8 +209,13 @@ void SlidingInterface::settle(const Bodies& bodies)
     std::fill(state_.work_at_rest.begin(), state_.work_at_rest.end(), 0.0);
 }
 
+std::vector<double> SlidingInterface::slip_length(double slid) const
+{
+  return std::vector<double>(state_.shear.size(), slid);
+}
+
 /// By the mean of the shear at the beginning and at the end of the increment: second order in the step.
-std::vector<double> SlidingInterface::work_on_way(double slid) const
+std::vector<double> SlidingInterface::heat_of_trial(double slid) const
 {
   std::vector<double> work(state_.shear.size());
   for (std::size_t i = 0; i < work.size(); ++i)
@@ -218,9 +223,9 @@ std::vector<double> SlidingInterface::work_on_way(double slid) const
   return work;
 }
 
-std::vector<double> SlidingInterface::heat_per_area(double slid) const
+std::vector<double> SlidingInterface::heat_of_increment(double slid) const
 {
-  std::vector<double> heat = work_on_way(slid);
+  std::vector<double> heat = heat_of_trial(slid);
   add(-1.0, work_per_area_, heat);
   return heat;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/wear.hpp"
 
+#include "brinell/elastoplastic/effects.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/sharing.hpp"
 
@@ -27,27 +28,34 @@ Wear::Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGr
 {
 }
 
-void Wear::begin(std::span<const double> pressure)
+void Wear::begin(const Interaction& before)
 {
+  const std::span<const double> pressure = before.pressure_before();
   pressure_before_.assign(pressure.begin(), pressure.end());
   for (std::vector<double>* field : {&compliance_, &from_onset_})
     std::fill(field->begin(), field->end(), 0.0);
+  if (before.knows_slip())
+    static_cast<void>(evaluate(before));
 }
 
-double Wear::follow(const Slip& slip)
+double Wear::evaluate(const Interaction& trial)
 {
+  const bool is_archard = law_.kind == WearLaw::Kind::archard;
+  const std::vector<double> length = trial.slip_length();
+  const std::vector<double> shear = is_archard ? std::vector<double>() : trial.shear();
+  const std::vector<double> onset = is_archard ? trial.pressure_of_onset() : trial.shear_of_onset();
   double change = 0.0;
   for (std::size_t i = 0; i < compliance_.size(); ++i)
   {
-    const double p = slip.pressure[i];
+    const double p = trial.pressure()[i];
     // Without pressure the ratio is undefined, and there is no wear.
-    const double ratio = law_.kind == WearLaw::Kind::archard ? 1.0 : (p > 0.0 ? slip.shear[i] / p : 0.0);
-    const double per_pressure = law_.sum() * slip.length[i];
+    const double ratio = is_archard ? 1.0 : (p > 0.0 ? shear[i] / p : 0.0);
+    const double per_pressure = law_.sum() * length[i];
     // Share of the slip that counts under the pressure at the end.
     const double at_end =
-        slip.onset.empty() || per_pressure == 0.0 ? 1.0 : std::max(0.5, 1.0 - 0.5 * explicit_limit_ / per_pressure);
+        onset.empty() || per_pressure == 0.0 ? 1.0 : std::max(0.5, 1.0 - 0.5 * explicit_limit_ / per_pressure);
     const double now = at_end * per_pressure * ratio;
-    const double known = slip.onset.empty() ? 0.0 : (1.0 - at_end) * per_pressure * slip.onset[i];
+    const double known = onset.empty() ? 0.0 : (1.0 - at_end) * per_pressure * onset[i];
     change = larger(change, std::abs(now - compliance_[i]) * p + std::abs(known - from_onset_[i]));
     compliance_[i] = now;
     from_onset_[i] = known;
@@ -69,8 +77,9 @@ double Wear::held_energy(std::span<const double> pressure) const
   return -0.5 * sum * contact_.cell_area();
 }
 
-void Wear::settle(std::span<const double> pressure, const Placement& placement)
+void Wear::commit(const Interaction& found, const Placement& placement)
 {
+  const std::span<const double> pressure = found.pressure();
   std::vector<double> worn(compliance_.size());
   double sum = 0.0, work = 0.0, largest = 0.0;
   for (std::size_t i = 0; i < worn.size(); ++i)
@@ -105,6 +114,16 @@ void Wear::add_depth(std::size_t side, const Place& place, std::span<double> out
     elastoplastic::add_depth(s.grid, s.depth, {}, place, contact_, out);
 }
 
+void Wear::report(EffectTotals& totals) const
+{
+  totals.worn_volume_lower = volume(0);
+  totals.worn_volume_upper = volume(1);
+  totals.max_worn_depth_lower = largest_depth(0);
+  totals.max_worn_depth_upper = largest_depth(1);
+  totals.max_wear_step = largest_step();
+  totals.work_of_wear = work();
+}
+
 void Wear::exchange(Archive& archive)
 {
   for (const auto& [name, side] : {std::pair{"lower", &sides_[0]}, {"upper", &sides_[1]}})
@@ -116,8 +135,9 @@ void Wear::exchange(Archive& archive)
   archive("largest_step", largest_step_);
 }
 
-void Wear::embed(const Wear& smaller)
+void Wear::embed(const Effect& before)
 {
+  const auto& smaller = dynamic_cast<const Wear&>(before);
   for (std::size_t i = 0; i < sides_.size(); ++i)
   {
     const Side& from = smaller.sides_[i];

@@ -74,8 +74,9 @@ std::vector<Entry> wear_entries()
     const auto& all = simulation::columns<typename ScenarioCase::Record>;
     return std::any_of(all.begin(), all.end(), [](const auto& column) { return column.name == "worn_volume_lower"; });
   };
+  constexpr WearLaw simulation::Numerics::*law = &simulation::Numerics::wear;
   const auto entry = [all = scenarios_with(wears)](Entry given, auto member)
-  { return of_part(std::move(given), all, &simulation::Numerics::wear, member); };
+  { return of_part(std::move(given), all, law, member); };
   const auto coefficient = [&](const char* key, const char* text, auto member)
   {
     return entry({.key = std::string("interface.wear.") + key,

@@ -19,7 +19,7 @@ namespace
 /// The numbers of a summary that count as results.
 struct Results
 {
-  std::vector<std::string> parts{"energy", "residual", "wear"};
+  std::vector<std::string> parts{"energy", "residual"};
   /// Numbers in these parts that are not results: positions, indices, the error of the energy balance, and a quantity that
   /// depends on the steps.
   std::set<std::string_view> excluded{"x_m", "balance_error", "max_depth_of_an_increment_m"};
@@ -28,6 +28,9 @@ struct Results
 Results results_of_all_scenarios()
 {
   Results results;
+  for (const elastoplastic::EffectColumn& total : elastoplastic::effect_columns)
+    if (std::find(results.parts.begin(), results.parts.end(), total.effect) == results.parts.end())
+      results.parts.emplace_back(total.effect);
   for_each_scenario(
       [&](const auto& io)
       {

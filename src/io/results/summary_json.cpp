@@ -126,12 +126,14 @@ Json energy_json(const RunTotals& s)
           {"balance_error", s.energy_balance_error}};
 }
 
-/// Volumes and depths that wear has removed from both surfaces.
-Json wear_json(const RunTotals& s)
+/// Adds the totals of each effect between the surfaces that acts.
+void put_effects(Json& json, const elastoplastic::Effects& effects, const RunTotals& s)
 {
-  return {{"volume_lower_m3", s.worn_volume_lower},         {"volume_upper_m3", s.worn_volume_upper},
-          {"max_depth_lower_m", s.max_worn_depth_lower},    {"max_depth_upper_m", s.max_worn_depth_upper},
-          {"max_depth_of_an_increment_m", s.max_wear_step}, {"work_J", s.work_of_wear}};
+  for (const std::string_view name : elastoplastic::names_of(effects))
+    for (const elastoplastic::EffectColumn& total : elastoplastic::effect_columns)
+      if (total.effect == name)
+        std::visit([&](auto value) { json[std::string(name)][std::string(total.in_summary)] = value; },
+                   total.column.value(s));
 }
 
 /// @param fraction  share of the friction work that heats the bodies
@@ -159,7 +161,7 @@ Json residual_json(const RunTotals& s)
           {"max_equivalent_plastic_strain", s.max_equivalent_plastic_strain}};
 }
 
-/// Adds energies, heat, wear, residual displacement and shift after the scenario's own part.
+/// Adds energies, heat, effects, residual displacement and shift after the scenario's own part.
 template <typename ScenarioCase>
 void put_totals(Json& json, const ScenarioCase& c, const typename ScenarioCase::Plan& plan,
                 const typename ScenarioCase::Summary& s)
@@ -171,8 +173,7 @@ void put_totals(Json& json, const ScenarioCase& c, const typename ScenarioCase::
   if constexpr (std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>)
     if (s.last.heat_lower != 0.0 || s.last.heat_upper != 0.0 || s.last.heat_of_plastic_work != 0.0)
       json["heat"] = heat_json(c.heat.fraction, s, s.last);
-  if (c.wear.wears())
-    json["wear"] = wear_json(s);
+  put_effects(json, c, s);
   json["residual"] = residual_json(s);
   if constexpr (requires { plan.shift; })
     json["grid"]["shift_m"] = plan.shift;

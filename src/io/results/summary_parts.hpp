@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] std::string key_of(std::string_view name, std::string_view unit);
 
 template <typename Record>
-void put(Json& json, const simulation::Column<Record>& column, const Record& record)
+void put(Json& json, const Column<Record>& column, const Record& record)
 {
   std::visit([&](auto number) { json[key_of(column.name, column.unit)] = number; }, column.value(record));
 }

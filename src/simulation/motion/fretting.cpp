@@ -35,7 +35,7 @@ public:
   [[nodiscard]] Stepper::Setup setup() const
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
-    setup.sliding = {.friction = case_.friction, .sticks = true, .wear = case_.wear};
+    setup.sliding = {.friction = case_.friction, .sticks = true, .effects = case_};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
     return setup;

@@ -132,7 +132,7 @@ double sliding_displacement(const FrettingCase& fretting, double approach)
 bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
 {
   const bool is_along_x = std::abs(std::sin(fretting.direction)) < 1e-15;
-  return fretting.solver.mirror && fretting.wear.is_alike() && shares_alike(fretting) && is_along_x &&
+  return fretting.solver.mirror && fretting.are_alike() && shares_alike(fretting) && is_along_x &&
          !fretting.domain.x.is_periodic() && plan.lower == plan.upper && alike(fretting.lower, fretting.upper);
 }
 

@@ -38,7 +38,7 @@ public:
     setup.sliding = {.friction = case_.friction,
                      .direction = case_.slide_to_roll < 0.0 ? -1 : 1,
                      .sticks = case_.creepage.has_value(),
-                     .wear = case_.wear};
+                     .effects = case_};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
     return setup;

@@ -34,7 +34,7 @@ public:
   {
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
     setup.beside = {plan_.closest.y_lower, plan_.closest.y_upper};
-    setup.sliding = {.friction = case_.friction, .direction = 1, .wear = case_.wear};
+    setup.sliding = {.friction = case_.friction, .direction = 1, .effects = case_};
     if (is_heated(case_, case_.lower, case_.upper))
       setup.sliding.heat = {case_.heat, heat_times()};
     if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair: one paraboloid has less rounding

@@ -185,7 +185,7 @@ bool is_mirrored(const TuggingCase& tugging, const Position& p, double cells, do
 {
   constexpr double rounding = 1e-9;
   const double columns = (p.arc_lower - p.arc_upper) / dx;
-  return tugging.solver.mirror && tugging.wear.is_alike() && shares_alike(tugging) &&
+  return tugging.solver.mirror && tugging.are_alike() && shares_alike(tugging) &&
          tugging.lower.shape == tugging.upper.shape && alike(tugging.lower, tugging.upper) &&
          cells == std::round(cells) && std::abs(columns - std::round(columns)) < rounding &&
          std::abs(p.arc_lower + p.arc_upper) < rounding * dx;

@@ -14,7 +14,7 @@ void take_totals(const StepRecord& last, double largest_work, RunTotals& totals)
   if (largest_work > 0.0)
     totals.energy_balance_error =
         (last.work + last.work_of_expansion - last.dissipation_lower - last.dissipation_upper -
-         last.dissipation_friction - last.work_of_wear - last.energy_residual - last.energy_elastic) /
+         last.dissipation_friction - last.work_of_effects() - last.energy_residual - last.energy_elastic) /
         largest_work;
 }
 

@@ -118,7 +118,8 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
 
 std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side)
 {
-  return pair.wear() != nullptr ? pair.wear()->depth(side) : std::span<const double>{};
+  const auto* wear = pair.effect<elastoplastic::Wear>();
+  return wear != nullptr ? wear->depth(side) : std::span<const double>{};
 }
 
 std::vector<double> surface_height(const elastoplastic::BodyView& body, std::span<const double> worn)

@@ -109,15 +109,8 @@ void Stepper::fill(StepRecord& r) const
   r.max_equivalent_plastic_strain =
       std::max(pair_->lower().solved().plastic_zone().largest(), pair_->upper().solved().plastic_zone().largest());
   r.coverage = coverage_;
-  const elastoplastic::Wear* wear = pair_->wear();
-  if (wear == nullptr)
-    return;
-  r.worn_volume_lower = wear->volume(0);
-  r.worn_volume_upper = wear->volume(1);
-  r.max_worn_depth_lower = wear->largest_depth(0);
-  r.max_worn_depth_upper = wear->largest_depth(1);
-  r.max_wear_step = wear->largest_step();
-  r.work_of_wear = wear->work();
+  for (const std::unique_ptr<elastoplastic::Effect>& effect : pair_->effects())
+    effect->report(r);
 }
 
 void Stepper::fill(FrictionRecord& r) const

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/elastoplastic/interface.hpp"
+#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/archive.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace brinell::elastoplastic
+{
+
+struct EffectTotals;
+
+/// Pressure, shear and slip of a trial between the surfaces, one value per cell of the contact grid, as friction has found them and
+/// effects read them.
+class Interaction
+{
+public:
+  /// @param friction  may be nullptr: then there is no shear, and the surfaces slip by `slid` everywhere
+  /// @param pressure  [Pa]
+  /// @param slid      sliding distance of the undeformed surfaces in the increment [m]
+  Interaction(const Interface* friction, std::span<const double> pressure, double slid)
+      : friction_(friction), pressure_(pressure), slid_(slid)
+  {
+  }
+
+  [[nodiscard]] std::span<const double> pressure() const { return pressure_; } ///< [Pa]
+  /// Pressure before the increment, on the points of the surfaces that lie in each cell at its end [Pa]. Only before the first
+  /// trial.
+  [[nodiscard]] std::span<const double> pressure_before() const;
+  /// Whether the slip of the increment is known before its first trial.
+  [[nodiscard]] bool knows_slip() const;
+  /// Slip length in the increment [m].
+  [[nodiscard]] std::vector<double> slip_length() const;
+  /// Magnitude of the shear [Pa].
+  [[nodiscard]] std::vector<double> shear() const;
+  /// Pressure, and shear, under which slip begins in the increment [Pa]; empty where all slip is done under those at its end.
+  [[nodiscard]] std::vector<double> pressure_of_onset() const;
+  [[nodiscard]] std::vector<double> shear_of_onset() const;
+
+private:
+  const Interface* friction_;
+  std::span<const double> pressure_;
+  double slid_;
+};
+
+/// One physics between two surfaces that reads the interaction of a trial and may change the gap: wear, films, adhesion. In each
+/// turn of an increment friction has found the shear before.
+class Effect
+{
+public:
+  Effect() = default;
+  virtual ~Effect() = default;
+  Effect(const Effect&) = delete;
+  Effect& operator=(const Effect&) = delete;
+
+  [[nodiscard]] virtual std::string_view name() const = 0; ///< in checkpoints
+  /// Begins an increment.
+  /// @param before  interaction before it
+  virtual void begin(const Interaction& before) = 0;
+  /// Takes over the interaction of a trial.
+  /// @returns the largest change of the gap [m]
+  virtual double evaluate(const Interaction& trial) = 0;
+  /// Change of the gap per pressure, in each cell [m/Pa], >= 0; empty: none.
+  [[nodiscard]] virtual std::span<const double> compliance() const { return {}; }
+  /// Adds to the gap what does not depend on the pressure [m].
+  virtual void add_to_gap(std::span<double> /*gap*/) const {}
+  /// Contribution to the energy of the increment's convex problem, with the interaction held but for the pressure [J].
+  [[nodiscard]] virtual double held_energy(std::span<const double> /*pressure*/) const { return 0.0; }
+  /// Ends an increment: its history goes on from this interaction. It must not fail for reasons that a user can mend; the grids
+  /// hold all pressure.
+  virtual void commit(const Interaction& found, const Placement& placement) = 0;
+  /// Adds the depth that the lower (0) or upper (1) surface has lost or gained since the start to the cells of the contact grid [m].
+  virtual void add_depth(std::size_t /*side*/, const Place& /*place*/, std::span<double> /*out*/) const {}
+  /// Largest depth since the start of either surface [m].
+  [[nodiscard]] virtual double largest_depth() const { return 0.0; }
+
+  /// Writes its totals since the start.
+  virtual void report(EffectTotals& /*totals*/) const {}
+  /// Passes everything that the next increment depends on.
+  virtual void exchange(Archive& archive) = 0;
+  /// Takes over the history of the same effect on smaller grids with the same centres.
+  virtual void embed(const Effect& smaller) = 0;
+};
+
+} // namespace brinell::elastoplastic
