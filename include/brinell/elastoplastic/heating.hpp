@@ -130,6 +130,13 @@ public:
   /// @param columns  by which the contact grid moves on both bodies
   void recall(const std::array<VolumeGrid, 2>& grids, const std::array<Place, 2>& places,
               const std::array<double, 2>& columns);
+  /// Checks, before anything is committed, that the thermal grids reach as far as the pressure and the heat of the trial and the
+  /// plastic work of the increment.
+  /// @param works  plastic work of the bodies as in `settle_work`; empty where it does not heat
+  /// @param grids  of the bodies
+  /// @throws GridError
+  void require_room(std::span<const double> pressure, const std::array<std::vector<double>, 2>& works,
+                    const std::array<VolumeGrid, 2>& grids) const;
   /// Ends an increment.
   /// @param heat_per_area  as for `follow`
   /// @param shears         mean shears of the increment on the lower surface, for their work on the thermal displacement [Pa];

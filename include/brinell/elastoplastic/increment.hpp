@@ -189,7 +189,7 @@ public:
   /// @param along      for surfaces that may stick: forces at the end of the increment, or shifts since the first one. For
   ///                   others: the sign of the shift along x, unless zero, is the direction of sliding.
   /// @throws Interrupted between two evaluations or within a contact solution; GridError. Without convergence, or after an
-  /// exception, the state is that before the increment.
+  /// exception, the state is that before the increment, but for the counts that decide when windows pay.
   [[nodiscard]] IncrementReport advance(std::span<const double> distance, const contact::Drive& drive,
                                         const Placement& placement, const Strategy& strategy,
                                         const contact::TangentialDrive& along = {});
@@ -272,7 +272,8 @@ private:
   void find_compliance();
   [[nodiscard]] double largest_depth_of_effects() const;
   void begin_heating(const Placement& placement, const Strategy& strategy);
-  void settle_heating(const Strategy& strategy);
+  [[nodiscard]] std::array<std::vector<double>, 2> works_that_heat() const;
+  void settle_heating(const Strategy& strategy, const std::array<std::vector<double>, 2>& works);
   [[nodiscard]] double follow_heat(Heating::Sharing sharing);
   [[nodiscard]] std::vector<double> temperature(std::size_t side, const BodyView& view) const;
   void add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const;

@@ -123,6 +123,12 @@ void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatM
   find_layers(body);
 }
 
+void BodyHeat::require_room_for_work(std::span<const double> work, const VolumeGrid& body) const
+{
+  if (plastic_)
+    plastic_->require_room(work, body);
+}
+
 void BodyHeat::settle_work(std::span<const double> work, const VolumeGrid& body, double duration)
 {
   if (plastic_)

@@ -37,6 +37,8 @@ public:
   void begin(const std::vector<double>& expected, const halfspace::HeatMotion& motion, const VolumeGrid& body);
   /// Ends a step with its actual flux [W/m^2].
   void settle(std::span<const double> flux);
+  /// Checks that the heat of plastic work can be kept: PlasticHeat::require_room.
+  void require_room_for_work(std::span<const double> work, const VolumeGrid& body) const;
   /// Adds the plastic work of a step [J/m^3] per cell of the material grid; the duration may be 0 [s].
   void settle_work(std::span<const double> work, const VolumeGrid& body, double duration);
   [[nodiscard]] double heat_of_plastic_work() const

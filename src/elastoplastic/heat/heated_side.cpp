@@ -261,6 +261,14 @@ void HeatedSide::recall(const VolumeGrid& body, const Place& place, double colum
       }
 }
 
+void HeatedSide::require_room(std::span<const double> pressure) const
+{
+  if (!conducts() || is_mirrored_)
+    return;
+  static_cast<void>(on_body(pressure, "pressure"));
+  static_cast<void>(on_body(flux_, "heat"));
+}
+
 void HeatedSide::settle()
 {
   share_before_ = last_share_;

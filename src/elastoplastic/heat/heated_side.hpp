@@ -37,6 +37,9 @@ public:
   /// @param imposed   flux from outside into this side [W/m^2]; empty: none
   void begin(const VolumeGrid& body, const Place& place, double columns, double duration, bool is_fed,
              std::span<const double> imposed);
+  /// Checks that the thermal grid reaches as far as a pressure on the contact grid and the flux of the trial.
+  /// @throws GridError
+  void require_room(std::span<const double> pressure) const;
   void settle();
   void add_heat_without_flux(double heat) { total_ += heat; } ///< adds heat that is not applied as a flux [J]
   void restore();

@@ -142,6 +142,19 @@ void Heating::add_to_gap(std::span<double> gap) const
     side.add_displacement(gap);
 }
 
+void Heating::require_room(std::span<const double> pressure, const std::array<std::vector<double>, 2>& works,
+                           const std::array<VolumeGrid, 2>& grids) const
+{
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const HeatedSide& s = state_->sides[side];
+    if (state_->duration > 0.0)
+      s.require_room(pressure);
+    if (!works[side].empty())
+      s.heat().require_room_for_work(works[side], grids[side]);
+  }
+}
+
 void Heating::settle(std::span<const double> pressure, std::span<const double> heat_per_area,
                      const std::array<std::span<const double>, 2>& shears)
 {

@@ -50,17 +50,31 @@ std::vector<double> PlasticHeat::source(double columns, double duration)
   return all;
 }
 
-void PlasticHeat::settle(std::span<const double> work, const VolumeGrid& body, double duration)
+/// Transfers the work from the material grid to the thermal grid.
+std::vector<double> PlasticHeat::fitted(std::span<const double> work, const VolumeGrid& body) const
 {
   const std::size_t cells = grid_.size(), of_body = body.surface.size();
   std::vector<double> heat(static_cast<std::size_t>(body.nz) * cells);
   for (std::size_t k = 0; k < static_cast<std::size_t>(body.nz); ++k)
     fit(body.surface, work.subspan(k * of_body, of_body), grid_, std::span(heat).subspan(k * cells, cells));
-  const double all = sum(work), kept = sum(heat);
+  return heat;
+}
+
+void PlasticHeat::require_room(std::span<const double> work, const VolumeGrid& body) const
+{
+  if (body.surface.nx <= grid_.nx && body.surface.ny <= grid_.ny)
+    return;
+  const double all = sum(work), kept = sum(fitted(work, body));
   if (constexpr double rounding = 1e-9; std::abs(all - kept) > rounding * all)
     throw GridError(
         "the plastic zone has grown beyond the grid on which the heat of a body is kept, and the heat of its "
         "plastic work would be lost; allowed: a larger grid.extent");
+}
+
+void PlasticHeat::settle(std::span<const double> work, const VolumeGrid& body, double duration)
+{
+  std::vector<double> heat = fitted(work, body);
+  const double kept = sum(heat);
   for (double& value : heat)
     value *= share_;
   total_ += share_ * kept * body.cell_volume();

@@ -26,6 +26,9 @@ public:
   /// @param columns   by which the contact moves on the body
   /// @param duration  [s], > 0
   [[nodiscard]] std::vector<double> source(double columns, double duration);
+  /// Checks that all plastic work of a step lies above or below the thermal grid.
+  /// @throws GridError
+  void require_room(std::span<const double> work, const VolumeGrid& body) const;
   /// Ends the step.
   /// @param work      plastic work in the step [J/m^3] per cell of the material grid
   /// @param duration  [s]; 0: the heat arises at once, and `source` was not called for the step
@@ -35,6 +38,8 @@ public:
   void exchange(Archive& archive);
 
 private:
+  [[nodiscard]] std::vector<double> fitted(std::span<const double> work, const VolumeGrid& body) const;
+
   SurfaceGrid grid_;
   double share_;
   std::vector<double> expected_; ///< expected heat of the current step [J/m^3]

@@ -303,6 +303,10 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
+  const std::array<std::vector<double>, 2> works = works_that_heat();
+  if (heating_)
+    heating_->require_room(pressure_, works, {lower().grid(), upper().grid()});
+  // From here on nothing may fail: what is committed cannot be taken back.
   on_sides(
       [&](std::size_t side)
       {
@@ -315,7 +319,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   for (const std::unique_ptr<Effect>& effect : effects_)
     effect->commit(interaction(), placement);
   if (heating_)
-    settle_heating(strategy);
+    settle_heating(strategy, works);
   placement_ = placement;
   approach_ = report.approach;
   rollback.commit();

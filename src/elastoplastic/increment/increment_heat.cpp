@@ -37,14 +37,21 @@ double CoupledContact::follow_heat(Heating::Sharing sharing)
   return heating_->follow(pressure_, interface_->heat_of_trial(slid_), sharing);
 }
 
-void CoupledContact::settle_heating(const Strategy& strategy)
+/// Plastic work of the trial in the bodies that it heats, per cell [J/m^3]; empty for others.
+std::array<std::vector<double>, 2> CoupledContact::works_that_heat() const
+{
+  std::array<std::vector<double>, 2> works;
+  for (std::size_t side = 0; side < sides_.size() && heating_; ++side)
+    if (heating_->takes_work(side))
+      works[side] = sides_[side].body.work_of_increment();
+  return works;
+}
+
+void CoupledContact::settle_heating(const Strategy& strategy, const std::array<std::vector<double>, 2>& works)
 {
   for (std::size_t side = 0; side < sides_.size(); ++side)
-    if (heating_->takes_work(side))
-    {
-      const Body& body = sides_[side].body;
-      heating_->settle_work(side, body.work_of_increment(), body.grid());
-    }
+    if (!works[side].empty())
+      heating_->settle_work(side, works[side], sides_[side].body.grid());
   const std::array<std::vector<double>, 2> shears = interface_->mean_shears();
   heating_->settle(pressure_, interface_->heat_of_increment(strategy.slid), {shears[0], shears[1]});
 }
