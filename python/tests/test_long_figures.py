@@ -3,43 +3,19 @@
 
 from __future__ import annotations
 
-import itertools
-
 import matplotlib
 import numpy as np
 import pytest
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 
 import brinell
 from brinell import plot
-from brinell.plot import standard_figures, style
+from brinell.plot import standard_figures
+from figure_parts import overlaps
 
 STEEL = brinell.Material("210 GPa", 0.3, brinell.Linear("1 GPa", "5 GPa"))
 BALL = brinell.Body(brinell.Sphere("6.35 mm"), brinell.Material("310 GPa", 0.26))
 
 pytestmark = pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
-
-
-def overlaps(fig: Figure) -> list[tuple[str, str]]:
-    """Pairs of visible texts that lie on each other when the figure is drawn."""
-    with style.look():
-        canvas = FigureCanvasAgg(fig)
-        canvas.draw()
-        renderer = canvas.get_renderer()
-    hidden = set()  # labels of ticks outside the limits, which are made, but not drawn
-    for axis in (axis for ax in fig.axes for axis in (ax.xaxis, ax.yaxis)):
-        low, high = sorted(axis.get_view_interval())
-        reach = 1e-9 * (high - low)
-        for tick in axis.get_major_ticks():
-            if not low - reach <= tick.get_loc() <= high + reach:
-                hidden |= {tick.label1, tick.label2}
-    boxes = [
-        (text.get_text(), text.get_window_extent(renderer).shrunk(0.95, 0.8))
-        for text in fig.findobj(matplotlib.text.Text)
-        if text.get_visible() and text.get_text().strip() and text not in hidden
-    ]
-    return [(a[0], b[0]) for a, b in itertools.combinations(boxes, 2) if a[1].overlaps(b[1]) and a[0] != b[0]]
 
 
 def groove(x: str, y: str, load: str = "1200 N") -> brinell.Run:

@@ -9,13 +9,14 @@ Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `ro
 runs of these scenarios), `track_depth` (depth profiles after rolling), `patches` and `run_in` (contact and surfaces of
 a sliding), `rough` (several rough surfaces over a period), `creepage` (steady rolling at several creepages), `fields`,
 `sections` and `depth` (one state of any scenario), `slip` and `friction_heat` (stick and slip, and the heat of
-friction, in one state), `history`, `energy` and `wear` (one run step by step), `temperature` (step by step, and in one
-state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities),
-`standard` (what suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key
-numbers over what varies), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in
-axes of the caller), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts`
-(fields on a plane), `overlay` (several results in one figure), `differences` (their names), `states` (which state and
-which bodies), `cells` (cell values as pictures), `sheets` (maps that are long).
+friction, in one state), `history`, `energy` and `wear` (one run step by step), `points` (histories at points within the
+bodies), `residual` (the permanent shape of the surfaces), `temperature` (step by step, and in one state), `animation`
+and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what
+suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key numbers over what
+varies), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in axes of the
+caller), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on
+a plane), `overlay` (several results in one figure), `differences` (their names), `states` (which state and which
+bodies), `where` (where bodies are cut unless told), `cells` (cell values as pictures), `sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -39,6 +40,7 @@ from brinell.plot.indentation import contact_pressure, imprint, load_depth
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
 from brinell.plot.patches import contact_patches
 from brinell.plot.planes import Plane
+from brinell.plot.points import point_histories
 from brinell.plot.quantities import QUANTITIES
 from brinell.plot.rolling import (
     along_track,
@@ -100,6 +102,7 @@ __all__ = [
     "overview",
     "pass_by_pass",
     "passes_map",
+    "point_histories",
     "pressure_map",
     "residual_surfaces",
     "run_history",

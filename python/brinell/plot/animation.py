@@ -21,6 +21,7 @@ from brinell.plot.quantities import Quantity, needs_tensors, quantity_of
 from brinell.plot.scales import Scales
 from brinell.plot.sections import across_label, draw_contact, draw_panel, upright_axes
 from brinell.plot.states import Bodies, Follow, Side, chosen_sides, state_title, stored_in_pass
+from brinell.plot.where import cutting_of
 from brinell.results import Run, RunError, Snapshot
 
 __all__ = ["ENDINGS", "Follow", "animate", "save_animation", "writer_of"]
@@ -46,7 +47,7 @@ def animate(
     run: Run,
     *,
     field: str = "von_mises_stress",
-    plane: Plane | str | tuple[str, float] = "y=0",
+    plane: Plane | str | tuple[str, float] | None = None,
     pass_: int = 1,
     bodies: Bodies = "both",
     follow: Follow | None = None,
@@ -61,7 +62,8 @@ def animate(
         run: needs at least two stored states in the pass: `[output] snapshots = "all"` of the case stores all.
         field: one of `brinell.plot.QUANTITIES`; or "pressure", which is seen from above: then plane and bodies do not
             count.
-        plane: normal to x or y; see `planes.plane_of`. A place along x counts from where `follow` says.
+        plane: normal to x or y; see `planes.plane_of`. A place along x counts from where `follow` says. None: y = 0, or
+            the plane through the largest plastic strain at the end of the pass if little has yielded on y = 0.
         pass_: which pass; counts from 1.
         bodies: "both", "lower" or "upper".
         follow: "contact": x counts from the centre of contact, which stays in the middle; "body", for a single one: x
@@ -76,8 +78,8 @@ def animate(
     """
     if field == "pressure":
         return animate_pressure(run, pass_=pass_, follow=follow or "body", interval=interval)
-    cut, quantity = plane_of(plane), quantity_of(field)
-    if cut.axis == "z":
+    given, quantity = None if plane is None else plane_of(plane), quantity_of(field)
+    if given is not None and given.axis == "z":
         raise InputError("an animation needs a plane normal to x or y, as in 'y=0'")
     steps = stored_in_pass(run, pass_)
     first = run.snapshot(steps[0])
@@ -85,6 +87,8 @@ def animate(
     on_body = (follow or ("contact" if len(sides) > 1 else "body")) == "body"
     if on_body and len(sides) > 1:
         raise InputError("follow = 'body' needs a single body: each has a coordinate of its own")
+    last = run.snapshot(steps[-1])
+    cut = given or cutting_of(last, chosen_sides(run, last, bodies)).plane
     frames = list(_frames(run, steps, bodies, quantity, cut, on_body=on_body))
     panel = _panel(run, frames, quantity)
     return _animation(run, first, frames, panel, cut, on_body=on_body, cells=cells, interval=interval)

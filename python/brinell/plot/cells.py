@@ -13,7 +13,16 @@ from numpy.typing import NDArray
 
 from brinell.results import ContactFields
 
-__all__ = ["at_centre", "contact_edge", "contact_patch", "contact_span", "draw_cells", "extent", "refined"]
+__all__ = [
+    "at_centre",
+    "contact_edge",
+    "contact_patch",
+    "contact_span",
+    "draw_cells",
+    "extent",
+    "middle_rows",
+    "refined",
+]
 
 FloatArray = NDArray[np.float64]
 
@@ -101,11 +110,16 @@ def extent(x: FloatArray, y: FloatArray, scale: float) -> tuple[float, float, fl
     )
 
 
+def middle_rows(y: FloatArray) -> NDArray[np.intp]:
+    """The rows of cells at y = 0: one, or the two beside it."""
+    distance = np.abs(y)
+    near = np.isclose(distance, distance.min(), rtol=0.0, atol=1e-6 * (abs(y[-1] - y[0]) + 1e-30))
+    return np.flatnonzero(near)
+
+
 def at_centre(y: FloatArray, values: FloatArray) -> FloatArray:
     """Values on the plane y = 0 of an array [..., y, x]: one row of cells, or the mean of the two beside the plane."""
-    distance = np.abs(y)
-    rows = np.flatnonzero(np.isclose(distance, distance.min(), rtol=0.0, atol=1e-6 * (abs(y[-1] - y[0]) + 1e-30)))
-    return np.asarray(values[..., rows, :].mean(axis=-2), dtype=np.float64)
+    return np.asarray(values[..., middle_rows(y), :].mean(axis=-2), dtype=np.float64)
 
 
 def draw_cells(

@@ -24,12 +24,14 @@ from brinell.plot import fields as state
 from brinell.plot import history as course
 from brinell.plot import style
 from brinell.plot.planes import Plane, plane_of
+from brinell.plot.points import point_histories
 from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
 from brinell.plot.scales import in_si
 from brinell.plot.sections import section as draw_section
 from brinell.plot.standard import standard_figures
-from brinell.plot.states import Bodies, Follow
-from brinell.results import open_run
+from brinell.plot.states import Bodies, Follow, chosen_sides
+from brinell.plot.where import section_of
+from brinell.results import RunError, open_run
 from brinell.scenarios import SCENARIOS
 from brinell.scenarios.traits import Drawings
 
@@ -63,6 +65,8 @@ def _checked(convert: Callable[[str], Any]) -> Callable[[click.Context, click.Pa
     """Callback of an option: turns its text, or each of its texts, into a value; a ValueError is wrong usage."""
 
     def callback(_context: click.Context, _parameter: click.Parameter, value: Any) -> Any:
+        if value is None:
+            return None
         try:
             return tuple(convert(text) for text in value) if isinstance(value, tuple) else convert(value)
         except ValueError as error:
@@ -139,8 +143,8 @@ _plane = click.option(
     "--plane",
     callback=_checked(plane_of),
     metavar="PLANE",
-    default="y=0",
-    help="Plane of the section, such as 'y=0' (default), 'x = 0.1 mm' or 'z = 20 um'.",
+    help="Plane of the section, such as 'y=0', 'x = 0.1 mm' or 'z = 20 um'; default: y=0, or through the largest "
+    "plastic strain if little has yielded there.",
 )
 _bodies = click.option(
     "--body", "bodies", type=click.Choice(get_args(Bodies)), default="both", help="Bodies to draw; default: both."
@@ -251,7 +255,7 @@ def _fields(run: Path, steps: Sequence[Any], cells: bool, output: Path | None, f
 def _section(
     run: Path,
     names: Sequence[str],
-    plane: Plane,
+    plane: Plane | None,
     bodies: Bodies,
     steps: Sequence[Any],
     cells: bool,
@@ -263,7 +267,8 @@ def _section(
     for which in steps:
         snapshot = opened.snapshot(which, tensors=needs_tensors([quantity_of(name) for name in names]))
         figure = draw_section(opened, snapshot, field=names or None, plane=plane, bodies=bodies, cells=cells)
-        name = "-".join([_state_name(which), "section", plane.axis, f"{1e6 * plane.value:g}um", *names])
+        cut = plane or section_of(snapshot, chosen_sides(opened, snapshot, bodies)).plane
+        name = "-".join([_state_name(which), "section", cut.axis, f"{1e6 * cut.value:.6g}um", *names])
         _print(style.save(figure, output or folder_of(run) / "figures", name, formats))
 
 
@@ -299,7 +304,7 @@ def _section(
 def _animate(
     run: Path,
     field: str,
-    plane: Plane,
+    plane: Plane | None,
     bodies: Bodies,
     pass_: int,
     follow: Follow | None,
@@ -330,3 +335,18 @@ def _history(run: Path, output: Path | None, formats: list[str]) -> None:
     """Draw forces, energies, deformation and cost of one run, step by step."""
     opened = open_run(run, allow_unfinished=True)
     _print(style.save(course.run_history(opened), output or folder_of(run) / "figures", "history", formats))
+
+
+@plot.command("points")
+@_run_folder
+@_into_run
+@_formats
+@_takes_si
+@reports_errors
+def _points(run: Path, output: Path | None, formats: list[str]) -> None:
+    """Draw stress, plastic strain and temperature at the points of [output] points, step by step."""
+    opened = open_run(run, allow_unfinished=True)
+    figure = point_histories(opened)
+    if figure is None:
+        raise RunError(f"{run}: no histories at points; name some within the bodies in [[output.points]] of the case")
+    _print(style.save(figure, output or folder_of(run) / "figures", "point-histories", formats))

@@ -155,8 +155,22 @@ def _patch(contact: ContactFields, axis: str) -> tuple[float, float]:
     return float(places.min()) - half, float(places.max()) + half
 
 
-def window_of(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, origin: Origin) -> Window:
-    """Part of a plane to be drawn: around the contact, or around all cells that have yielded."""
+def window_of(
+    snapshot: Snapshot,
+    bodies: Sequence[Side],
+    plane: Plane,
+    origin: Origin,
+    goes_round: tuple[bool, bool] = (False, False),
+) -> Window:
+    """Part of a plane to be drawn: around the contact, or around all cells that have yielded.
+
+    Args:
+        snapshot: the state.
+        bodies: those that are drawn.
+        plane: which one.
+        origin: where x is counted from.
+        goes_round: whether the bodies are periodic along x and y; without contact, all of a period is drawn.
+    """
     across = "y" if plane.axis == "x" else "x"
     low, high, deep = np.inf, -np.inf, 0.0
     if snapshot.in_contact:
@@ -175,7 +189,7 @@ def window_of(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, origin: 
         if z.size == 0:
             continue
         deep = max(deep, 1.15 * float(np.abs(z).max()))
-        if not snapshot.in_contact:
+        if not snapshot.in_contact and not goes_round[1 if across == "y" else 0]:
             margin = 0.1 * float(x.max() - x.min())
             low, high = min(low, float(x.min()) - margin), max(high, float(x.max()) + margin)
     edges = [extent(cut.across, np.abs(cut.upward), 1.0) for cut in cuts if cut is not None]
@@ -183,7 +197,8 @@ def window_of(snapshot: Snapshot, bodies: Sequence[Side], plane: Plane, origin: 
     bottom = max(max(e[2:]) for e in edges)
     if not low < high:
         low, high = left, right
-    deep = min(bottom, deep) if deep > 0.0 else bottom
+    is_period = plane.axis == "z" and goes_round[1] and not snapshot.in_contact
+    deep = min(bottom, deep) if deep > 0.0 and not is_period else bottom
     return Window((max(left, low), min(right, high)), _upward(snapshot, bodies, plane, deep))
 
 

@@ -15,10 +15,11 @@ from brinell.plot.overlay import largest, looks, zero_line
 from brinell.plot.planes import Plane, on_plane
 from brinell.plot.quantities import QUANTITIES, Quantity
 from brinell.plot.scales import PERCENT, Scale, Scales, si, twin_axis
-from brinell.plot.states import Bodies, Side, chosen_sides, sides, state_title
-from brinell.results import BodyFields, Run, RunError, Snapshot
+from brinell.plot.states import Bodies, Side, chosen_sides, state_title
+from brinell.plot.where import usual_place
+from brinell.results import Run, RunError, Snapshot
 
-__all__ = ["most_strained", "stress_over_depth", "usual_place"]
+__all__ = ["stress_over_depth"]
 
 FloatArray = NDArray[np.float64]
 
@@ -76,31 +77,6 @@ def stress_over_depth(
     place = _place(x, y, from_contact=state.in_contact)
     fig.suptitle(f"Under {place}:  {state_title(run, state)}", fontsize=style.font(10))
     return fig
-
-
-def most_strained(body: BodyFields) -> tuple[int, int] | None:
-    """Row and column of the cells under which the largest plastic strain of a body is; None if it has not yielded."""
-    strain = body.equivalent_plastic_strain
-    if not np.any(strain):
-        return None
-    _, row, column = np.unravel_index(int(np.argmax(strain)), strain.shape)
-    return int(row), int(column)
-
-
-def usual_place(state: Snapshot, x: float = 0.0) -> tuple[float, float]:
-    """The point (x, 0), or the one of the largest plastic strain if no body has yielded under (x, 0) [m]."""
-    found: list[tuple[float, float, float]] = []
-    for side in sides(state):
-        body, place = side.body, most_strained(side.body)
-        shift = body.contact_x if state.in_contact else 0.0
-        if place is None:
-            continue
-        row, column = int(np.argmin(np.abs(body.y))), int(np.argmin(np.abs(body.x - shift - x)))
-        if np.any(body.equivalent_plastic_strain[:, max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]):
-            return x, 0.0
-        largest_strain = float(body.equivalent_plastic_strain.max())
-        found.append((largest_strain, float(body.x[place[1]] - shift), float(body.y[place[0]])))
-    return max(found)[1:] if found else (x, 0.0)
 
 
 def _place(x: float, y: float, *, from_contact: bool) -> str:

@@ -23,6 +23,7 @@ from brinell.plot.quantities import quantity_of
 from brinell.plot.scales import Scale, Scales
 from brinell.plot.sheets import enlarged, few_ticks
 from brinell.plot.states import Bodies, Side, both_sides, chosen_sides, of_state, state_title
+from brinell.plot.where import Cutting, goes_round, section_of
 from brinell.results import ContactFields, Run, Snapshot
 from brinell.scenarios import SCENARIOS
 
@@ -42,7 +43,7 @@ def section(
     snapshot: Snapshot,
     *,
     field: str | Sequence[str] | None = None,
-    plane: Plane | str | tuple[str, float] = "y=0",
+    plane: Plane | str | tuple[str, float] | None = None,
     bodies: Bodies = "both",
     cells: bool = False,
     ax: style.Target | None = None,
@@ -58,7 +59,8 @@ def section(
         run: where the scales come from.
         snapshot: the state to draw; with tensors if a component is asked for.
         field: one or several of `brinell.plot.QUANTITIES`; by default von Mises stress and equivalent plastic strain.
-        plane: "y=0", "x = 0.1 mm", ("z", 2e-5); see `planes.plane_of`.
+        plane: "y=0", "x = 0.1 mm", ("z", 2e-5); see `planes.plane_of`. None: y = 0, or the plane through the largest
+            plastic strain if little has yielded on y = 0, as the title then says.
         bodies: "both", "lower" or "upper".
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
         ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
@@ -67,20 +69,21 @@ def section(
         RunError: a field is not stored, the plane lies outside the grids, or the body is rigid.
         InputError: no such field or plane.
     """
-    cut = plane_of(plane)
     names = [field] if isinstance(field, str) else field
     drawn = _with_content(chosen_sides(run, snapshot, bodies), names or ())
+    cutting = section_of(snapshot, drawn) if plane is None else Cutting(plane_of(plane), "")
+    cut = cutting.plane
     quantities = usual_quantities(drawn) if names is None else [quantity_of(name) for name in names]
     origin = from_contact(snapshot)
     panels = [panel_of(run, snapshot, drawn, quantity, cut, origin) for quantity in quantities]
-    window = window_of(snapshot, drawn, cut, origin)
+    window = window_of(snapshot, drawn, cut, origin, goes_round(run))
     interpolation = "nearest" if cells else "bilinear"
     draw = _level if cut.axis == "z" else _upright
     fig = draw(run, snapshot, panels, window, cut, interpolation)
     place = cut.label(from_contact=snapshot.in_contact and cut.axis == "x")
-    fig.suptitle(
-        f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}:  {state_title(run, snapshot)}", fontsize=style.font(10)
-    )
+    place = f"{'Depth' if cut.axis == 'z' else 'Plane'} {place}"
+    place += f", {cutting.reason}" if cutting.reason else ""
+    fig.suptitle(f"{place}:  {state_title(run, snapshot)}", fontsize=style.font(10))
     return fig
 
 

@@ -11,7 +11,8 @@ from typing import Literal
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import depth, energy, fields, history, temperature, wear
+from brinell.plot import depth, energy, fields, history, points, temperature, wear
+from brinell.plot.where import cutting_of, section_of, usual_place
 from brinell.results import Run, Snapshot
 from brinell.scenarios import SCENARIOS
 
@@ -51,6 +52,9 @@ def standard_figures(run: Run) -> Iterator[Named]:
             yield Named("worn-profiles", caption, _end_of(final), worn)
     caption = "Forces, energies, permanent deformation and cost, step by step."
     yield Named("history", caption, "course", history.run_history(run))
+    if (at_points := points.point_histories(run)) is not None:
+        caption = "Stress, plastic strain and temperature at the points of output.points, step by step."
+        yield Named("point-histories", caption, "course", at_points)
     if (warm := temperature.surface_temperatures(run)) is not None:
         caption = (
             "Over the distance: temperature of the hottest place of each surface, and heat that each body has taken."
@@ -97,7 +101,10 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
             partial(fields.pressure_map, run, snapshot),
         ),
         "gap": (f"Gap between the surfaces {where}, with the edge of contact.", partial(fields.gap_map, run, snapshot)),
-        "section": (f"Stress and plastic strain in the plane y = 0 {where}.", partial(fields.section, run, snapshot)),
+        "section": (
+            f"Stress and plastic strain in the plane {section_of(snapshot).text()} {where}.",
+            partial(fields.section, run, snapshot),
+        ),
     }
     for name, (caption, draw) in drawn.items():
         if not fields.suits(name, snapshot):
@@ -114,7 +121,7 @@ def _of_heat(run: Run, snapshot: Snapshot) -> Iterator[Named]:
         maps = temperature.surface_temperature_maps(run, snapshot)
         yield Named("surface-temperature-maps", caption, "loaded", maps)
     if fields.suits("temperature", snapshot):
-        caption = f"Temperature in the plane y = 0 {where}."
+        caption = f"Temperature in the plane {section_of(snapshot).text()} {where}."
         yield Named("loaded-temperature", caption, "loaded", temperature.temperature_section(run, snapshot))
 
 
@@ -129,17 +136,17 @@ def _of_final_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
     if not any(body.has_yielded or body.is_dented for body in bodies):
         return
     when, kind = ("at the end, under load", "Stress") if snapshot.in_contact else ("after unloading", "Residual stress")
-    caption = f"Residual surfaces {when}: profile on y = 0, and maps."
+    caption = f"Residual surfaces {when}: profile on {cutting_of(snapshot).text()}, and maps."
     if fields.suits("residual-surfaces", snapshot):
         yield Named("residual-surfaces", caption, _end_of(snapshot), fields.residual_surfaces(run, snapshot))
-    caption = f"{kind} and plastic strain in the plane y = 0 {when}."
+    caption = f"{kind} and plastic strain in the plane {section_of(snapshot).text()} {when}."
     if fields.suits("section", snapshot):
         yield Named("residual-section", caption, _end_of(snapshot), fields.section(run, snapshot))
-    with_depth = [body for body in bodies if body.stress and body.has("equivalent_plastic_strain")]
+    with_depth = [body for body in bodies if body.stress and body.has("equivalent_plastic_strain") and body.z.size > 1]
     if any(np.any(stress) for body in with_depth for stress in body.stress.values()):
         has_places = not _moves(run) and "x" in run.history
         first, under = (float(run.history["x"][0]), "the first place") if has_places else (0.0, "the point x = y = 0")
-        x, y = depth.usual_place(snapshot, first)
+        x, y = usual_place(snapshot, first)
         if (x, y) != (first, 0.0):
             under = "the largest plastic strain"
         caption = f"{kind} and plastic strain over the depth under {under}{', under load' * snapshot.in_contact}."

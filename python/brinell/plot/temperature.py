@@ -136,7 +136,7 @@ def surface_temperatures(run: Run, *, ax: style.Target | None = None) -> Figure 
 @style.figure
 @of_state
 def temperature_section(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Target | None = None) -> Figure:
-    """Temperature of the bodies on the plane y = 0.
+    """Temperature of the bodies on the plane y = 0, or through the largest plastic strain, as `section` does.
 
     Args:
         run: where the scales come from.

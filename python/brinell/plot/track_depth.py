@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from brinell.plot import style
-from brinell.plot.depth import most_strained
 from brinell.plot.overlay import entries, largest, legend_beside, of_runs, zero_line
 from brinell.plot.scales import PERCENT, Scale, si
+from brinell.plot.where import most_strained
 from brinell.results import Run, TrackProfile
 
 __all__ = ["depth_profiles"]

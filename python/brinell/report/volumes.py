@@ -21,6 +21,7 @@ from brinell.plot import style
 from brinell.plot.quantities import QUANTITIES, Quantity
 from brinell.plot.scales import DEGREES, PERCENT, Scale, si
 from brinell.plot.states import Side, sides
+from brinell.plot.where import cutting_of
 from brinell.results import Snapshot
 
 __all__ = ["FIELD_BYTES", "Pictures", "pictures_of"]
@@ -62,6 +63,8 @@ class _Volume:
     """Cells along z, y, x."""
     stride: int
     """Largest, over the directions."""
+    y: float
+    """Of the plane along x that is shown first [m]."""
 
 
 def pictures_of(loaded: Snapshot | None, final: Snapshot | None) -> Pictures:
@@ -105,7 +108,12 @@ def _volume(side: Side, snapshot: Snapshot, quantities: list[Quantity], cells: i
     fields = [_over_bulk(one, value) for one in quantities if (value := one.values(side.body)) is not None]
     worth = np.any([np.abs(field) > _WORTH_SEEING * np.abs(field).max() for field in fields], axis=0)
     ranges = [_range(np.any(worth, axis=tuple({0, 1, 2} - {axis}))) for axis in range(3)]
-    middles = (0, int(np.argmin(np.abs(side.body.y))), int(np.argmin(np.abs(side.body.x - side.body.contact_x))))
+    first = cutting_of(snapshot).plane.value
+    middles = (
+        0,
+        int(np.argmin(np.abs(side.body.y - first))),
+        int(np.argmin(np.abs(side.body.x - side.body.contact_x))),
+    )
     strides = [1, 1, 1]
 
     def kept(axis: int) -> NDArray[np.intp]:
@@ -115,9 +123,8 @@ def _volume(side: Side, snapshot: Snapshot, quantities: list[Quantity], cells: i
 
     while np.prod([len(kept(axis)) for axis in range(3)]) > cells:
         strides[int(np.argmax([len(kept(axis)) for axis in range(3)]))] += 1
-    return _Volume(
-        side, _state_of(snapshot), snapshot.in_contact, quantities, (kept(0), kept(1), kept(2)), max(strides)
-    )
+    cells_kept = (kept(0), kept(1), kept(2))
+    return _Volume(side, _state_of(snapshot), snapshot.in_contact, quantities, cells_kept, max(strides), first)
 
 
 def _state_of(snapshot: Snapshot) -> str:
@@ -164,6 +171,7 @@ def _written(volume: _Volume) -> dict[str, Any]:
         "x": _over(body.x[x], length),
         "y": _over(body.y[y], length),
         "z": _over(body.z[z], length),
+        "first_y": volume.y / length.size,
         "fields": [_field(one, v[np.ix_(z, y, x)], volume.in_contact) for one, v in values if v is not None],
     }
 

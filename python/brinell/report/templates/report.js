@@ -92,12 +92,12 @@
     choosePlane();
   }
 
-  // Starts in the middle, or at the depth where the field is largest.
+  // Starts in the middle, or where most has yielded; a depth, where the field is largest.
   function choosePlane() {
     const { volume } = choices[element("slice-field").value];
     const plane = element("slice-plane").value;
     const places = volume[plane];
-    let start = nearest(places, 0);
+    let start = nearest(places, plane === "y" ? volume.first_y : 0);
     if (plane === "z") {
       const largest = values.reduce((best, one, at) => (Math.abs(one) > Math.abs(values[best]) ? at : best), 0);
       start = Math.floor(largest / (volume.x.length * volume.y.length));
