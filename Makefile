@@ -86,6 +86,7 @@ check: build/.setup-packages .venv/.extras-done
 	@clang-format --dry-run -Werror --ferror-limit=1 $(cxx_files) || { echo "'make format' mends it"; exit 1; }
 	@echo "format: $(words $(cxx_files)) files"
 	@python3 tools/check_layers.py
+	@python3 tools/check_comments.py
 	@.venv/bin/ruff check --quiet python && .venv/bin/ruff format --quiet --check python || { echo "'make format' mends some of it"; exit 1; }
 	@.venv/bin/mypy
 

@@ -73,6 +73,8 @@ endif()
 
 add_test(NAME unit.layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_layers.py)
 set_tests_properties(unit.layers PROPERTIES LABELS unit)
+add_test(NAME unit.comments COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_comments.py)
+set_tests_properties(unit.comments PROPERTIES LABELS unit)
 add_test(NAME unit.long COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_long_tests.py
   ${CMAKE_CTEST_COMMAND} ${PROJECT_BINARY_DIR})
 set_tests_properties(unit.long PROPERTIES LABELS unit)

@@ -83,7 +83,7 @@ nb::bytes run_in_memory(const io::Case& c, int threads, const nb::object& on_ste
   return nb::bytes(image.data(), image.size());
 }
 
-/// What the C library has printed comes out before Python prints again.
+/// Runs a command; the output of the C library is flushed before Python prints again.
 int command_line(const std::vector<std::string>& arguments)
 {
   int code = 0;

@@ -23,9 +23,9 @@ namespace brinell::python
 
 namespace nb = nanobind;
 
-/// What Python gives: used where it lies.
+/// Array from Python, used where it lies.
 using Input = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
-/// What Python receives.
+/// Array for Python.
 using Output = nb::ndarray<nb::numpy, double>;
 using Shape = std::vector<std::size_t>;
 

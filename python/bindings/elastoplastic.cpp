@@ -109,7 +109,7 @@ public:
     return function(static_cast<const CoupledContact&>(contact_));
   }
 
-  /// The same of one of its bodies.
+  /// A function of one of its bodies as it is now.
   template <typename Function>
   auto read(bool upper, const Function& function)
   {

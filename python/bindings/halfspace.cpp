@@ -38,7 +38,7 @@ Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
   return array(std::move(u), shape(compliance.grid()));
 }
 
-/// What acts on a surface; None is zero.
+/// Load on a surface; None is zero.
 SurfaceLoad surface_load(const SurfaceGrid& grid, const std::optional<Input>& pressure,
                          const std::optional<Input>& shear_x, const std::optional<Input>& shear_y)
 {

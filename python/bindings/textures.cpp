@@ -91,7 +91,7 @@ double length(const std::string& text)
   return quantity.value;
 }
 
-/// What a text file of heights says, or why it is none.
+/// Contents of a text file of heights, or the reason why it is none.
 struct HeightText
 {
   io::HeightFile file;

@@ -142,3 +142,27 @@ def test_stages_and_slowest_tests_are_told_and_kept(tmp_path: Path) -> None:
     ]
     assert len(rows) == 8
     assert all(row["machine"] == "m; 2 cores" for row in rows)
+
+
+def test_a_comment_stands_alone() -> None:
+    import check_comments
+
+    text = """
+/// Depth of the surface,
+/// that of the texture included. That is a continuation.
+double depth;
+/// The same along y.
+double depth_y; ///< likewise
+int n;   ///< which is even
+int m;   ///< number of rows that are read
+// What follows is a block.
+/// Which body yields first.
+bool b; ///< The Same [m]
+"""
+    assert check_comments.pointing(text) == [
+        (5, "The same"),
+        (6, "likewise"),
+        (7, "which"),
+        (9, "What"),
+        (11, "The Same"),
+    ]

@@ -198,3 +198,42 @@ def test_the_container_has_the_libraries_that_the_extension_needs() -> None:
 def test_pages_call_the_command_by_one_name() -> None:
     texts = [*PAGES, *ROOT.glob("cases/*/case.toml")]
     assert [path.name for path in texts if "-m brinell" in path.read_text(encoding="utf-8")] == []
+
+
+NAMED = re.compile(r"`(\w+)` \(([\w/.]+)\)")
+
+
+def is_named_in(name: str, file: str) -> bool:
+    paths = (ROOT / top / file for top in ("include/brinell", "src"))
+    return any(path.is_file() and re.search(rf"\b{name}\b", path.read_text("utf-8")) for path in paths)
+
+
+def missing_names(text: str) -> list[str]:
+    """Rows of a glossary whose file does not exist or has no such name, and rows that name none."""
+    missing = []
+    for row in re.findall(r"^\| (?!word |---)(.*) \|$", text, re.MULTILINE):
+        names = NAMED.findall(row)
+        if not names or not all(map(is_named_in, *zip(*names, strict=True))):
+            missing.append(row)
+    return missing
+
+
+def test_the_words_of_the_glossary_are_in_their_files() -> None:
+    text = (ROOT / "docs/developer/glossary.md").read_text("utf-8")
+    assert missing_names(text) == []
+    *tables, _ = re.findall(r"^\| ---.*\n((?:\|.*\n)+)", text, re.MULTILINE)
+    words = [[row.split(" | ")[0] for row in table.splitlines()] for table in tables]
+    assert words == [sorted(rows) for rows in words]
+    assert sum(map(len, words)) > 50
+
+
+def test_a_word_that_has_left_its_file_is_missed() -> None:
+    head = "| word | meaning | name and file |\n| --- | --- | --- |\n"
+    kept = "| place | offset | `Place` (elastoplastic/placement.hpp) |\n"
+    assert missing_names(head + kept) == []
+    for row in (
+        "gone | | `Gone` (elastoplastic/placement.hpp)",
+        "moved | | `Place` (elastoplastic/place.hpp)",
+        "no | name",
+    ):
+        assert missing_names(f"{head}| {row} |\n{kept}") == [row]

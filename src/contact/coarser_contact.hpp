@@ -9,7 +9,7 @@
 namespace brinell::contact
 {
 
-/// The same contact on cells twice as large, solved for an initial guess of the pressure.
+/// Contact on cells twice as large, solved for an initial guess of the pressure.
 class CoarserContact
 {
 public:

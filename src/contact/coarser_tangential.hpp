@@ -9,7 +9,7 @@
 namespace brinell::contact
 {
 
-/// The same step of stick and slip on cells twice as large, solved for an initial guess of the shears.
+/// Step of stick and slip on cells twice as large, solved for an initial guess of the shears.
 class CoarserTangential
 {
 public:

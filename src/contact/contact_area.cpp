@@ -129,7 +129,7 @@ void add_square(const Field& field, int i, int j, const Add& add)
     }
 }
 
-/// Likewise for all squares of a grid.
+/// Calls add_square for all squares of a grid.
 template <typename Add>
 void add_squares(const SurfaceGrid& grid, const Field& field, const Add& add)
 {

@@ -110,12 +110,12 @@ private:
   AlongField grid_field_;          ///< input and output of the operators, in all cells of the grid
   AlongField before_;              ///< shears of the step before, in all cells
   bool has_before_ = false;        ///< whether there are any
-  std::vector<std::size_t> cells_; ///< that can carry shear
+  std::vector<std::size_t> cells_; ///< cells that can carry shear
   std::vector<double> bound_;
   double largest_bound_ = 0.0;
   std::vector<AlongMatrix> entry_;      ///< see TangentialStep::entry; empty: none
   double largest_entry_ = 0.0;          ///< bound of the norm of these matrices [m/Pa]
-  double largest_entry_of_bound_ = 0.0; ///< the same, each times the bound of its cell [m]
+  double largest_entry_of_bound_ = 0.0; ///< bound of the norm of these matrices, each times the bound of its cell [m]
   std::vector<Zone> zone_;
   AlongField target_; ///< displacement for zero slip, without the part of the shift that an imposed force determines
   AlongField shear_, displacement_, slip_;
@@ -130,7 +130,7 @@ private:
   double mean_compliance_; ///< geometric mean of the smallest and the largest compliance of a wave [m/Pa]
   Forced forced_;
   Along sum_;     ///< of the shears where it is forced [Pa]
-  Along shift_;   ///< that it takes, found [m]
+  Along shift_;   ///< shift that the force takes, found [m]
   Along imposed_; ///< the rest of the shift [m]
   Unbalanced unbalanced_;
   double threshold_ = 0.0; ///< fraction of the bound from which on a shear counts as being at its bound

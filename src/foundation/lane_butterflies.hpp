@@ -137,7 +137,7 @@ inline void transform<8>(Values<8>& a, const double* /*roots*/)
   finish_eight(a, even, odd);
 }
 
-/// Likewise if the second half of the values is zero; it is not read.
+/// Transform of values whose second half is zero; it is not read.
 template <std::size_t radix>
 inline void transform_half(Values<radix>& a);
 

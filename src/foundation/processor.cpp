@@ -63,7 +63,7 @@ constexpr Kind kinds[] = {{BRINELL_PROCESSOR_NAME, [] { return true; }}};
 
 #endif
 
-/// What the user wishes; nullptr: nothing.
+/// Kind of processor that the user asks for; nullptr: none.
 const char* wish()
 {
   const char* value = std::getenv(variable);

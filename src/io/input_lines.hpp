@@ -13,7 +13,7 @@
 namespace brinell::io
 {
 
-/// What may stand around and between numbers; the last character ends files of DOS.
+/// Characters that may stand around and between numbers; the last one ends files of DOS.
 inline constexpr std::string_view white_space = " \t\r\f\v\x1a";
 
 struct InputLine

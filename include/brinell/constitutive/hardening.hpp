@@ -61,7 +61,7 @@ struct SwiftHardening
   bool operator==(const SwiftHardening&) const = default;
 };
 
-/// The same as B (C + 1e6 e)^n, with the plastic strain in millionths (Jacq, Nelias, Lormand, Girodin 2002).
+/// Swift's law written as B (C + 1e6 e)^n, with the plastic strain in millionths (Jacq, Nelias, Lormand, Girodin 2002).
 [[nodiscard]] inline SwiftHardening swift_of_microstrain(double B, double C, double n)
 {
   return {B * std::pow(1e6, n), 1e-6 * C, n};

@@ -108,7 +108,7 @@ private:
                      const std::function<bool()>& wants_stop);
 
   const halfspace::TractionCompliance& compliance_;
-  std::unique_ptr<Iteration> iteration_;       ///< its fields are reused from step to step
+  std::unique_ptr<Iteration> iteration_;       ///< kept, because fields are reused from step to step
   std::unique_ptr<CoarserTangential> coarser_; ///< created when it is first needed
 };
 

@@ -153,7 +153,7 @@ public:
   [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
   /// Empty unless the surface bears shear and the body is plastic.
   [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
-  /// Likewise along y; empty unless all displacements are computed.
+  /// Residual displacement along y; empty unless all displacements are computed.
   [[nodiscard]] std::span<const double> residual_displacement_y() const { return displacement_y_; }
   /// Shear that each cell of the surface can carry along a unit vector, with the hardening of the present trial [Pa]; infinite if
   /// the body does not yield. For a zero vector: the shear that the cell can carry in every direction.

@@ -11,7 +11,7 @@ enum class Twin
 {
   none,
   mirror_image, ///< reversed in x: two asperities passing each other
-  alike         ///< the same field in the same direction: pure rolling
+  alike         ///< equal field in the same direction: pure rolling
 };
 
 /// One side of a contact as seen by a user: a body that is solved, or the twin of a solved body, which has no fields of its own.
@@ -49,9 +49,9 @@ public:
   [[nodiscard]] std::vector<double> scalars(std::vector<double> BodyState::*field) const;
   /// Residual displacement of the surface in the present trial [m].
   [[nodiscard]] std::vector<double> residual_displacement() const;
-  /// Likewise along x [m]; empty unless the surface bears shear.
+  /// Residual displacement along x [m]; empty unless the surface bears shear.
   [[nodiscard]] std::vector<double> residual_displacement_x() const;
-  /// Likewise along y.
+  /// Residual displacement along y [m]; empty unless all displacements are computed.
   [[nodiscard]] std::vector<double> residual_displacement_y() const;
   /// See Body::shear_strength.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;

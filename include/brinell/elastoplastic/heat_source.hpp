@@ -18,7 +18,7 @@ struct HeatSource
   {
     none,
     disc,      ///< uniform flux into the surface of one body, on a disc
-    rectangle, ///< the same on a rectangle
+    rectangle, ///< uniform flux into the surface of one body, on a rectangle
     contact ///< between the surfaces where they touch, in proportion to the pressure; shared by the bodies like heat of friction
   };
   enum class Side

@@ -25,7 +25,7 @@ enum class HeatRegime
   steady     ///< steady state: as if the flux of the current step had always acted and moved as in that step
 };
 
-/// What a run does when a surface reaches the melting temperature of its softening law.
+/// Behaviour of a run when a surface reaches the melting temperature of its softening law.
 enum class AtMelting
 {
   go_on, ///< the melt counts as a solid with little strength, and the run warns at its end

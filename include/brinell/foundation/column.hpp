@@ -14,7 +14,7 @@ struct Column
 {
   using Member = std::variant<int Record::*, double Record::*>;
 
-  std::string_view name; ///< that of the member
+  std::string_view name; ///< name of the member
   std::string_view unit; ///< "1" for a pure number
   Member member;
   std::string_view text{}; ///< description, for files that have descriptions

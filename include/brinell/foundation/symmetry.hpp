@@ -68,7 +68,7 @@ inline void complete_in_y(const SurfaceGrid& grid, double factor, double* field,
     }
 }
 
-/// Likewise for a field of deviators.
+/// Copies the independent rows of a field of deviators to the other side.
 inline void complete_in_y(const VolumeGrid& grid, std::vector<double>& deviators)
 {
   for (int c = 0; c < Deviator::size; ++c)

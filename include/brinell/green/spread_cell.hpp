@@ -13,7 +13,7 @@ namespace brinell::green
 /// @param spread     w [m], > 0
 [[nodiscard]] double spread_cell(double x, double half_size, double spread);
 
-/// Likewise for cells that repeat periodically: the sum over all periods.
+/// Sum of spread_cell over cells that repeat periodically.
 /// @param period  [m], >= 2h
 [[nodiscard]] double spread_cells(double x, double half_size, double spread, double period);
 

@@ -33,7 +33,7 @@ public:
   [[nodiscard]] Scratch make_scratch() const;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
-  /// The same bodies on another grid, with the same boundaries and reference.
+  /// Compliance of these bodies on another grid, with the same boundaries and reference.
   [[nodiscard]] TractionCompliance on(const SurfaceGrid& grid) const;
   /// Whether a pressure causes displacements along the surface and a shear causes displacements along z, as it is for elastically
   /// dissimilar bodies (Dundurs).

@@ -21,7 +21,7 @@ struct Level
   double cells = 1.0; ///< cell size relative to that of the case as given
   Vector3 spacing{};  ///< [m]
   Numbers numbers;
-  std::map<std::string, double> stated_errors; ///< that the run itself has stated, by quantity
+  std::map<std::string, double> stated_errors; ///< errors that the run itself has stated, by quantity
 };
 
 /// Result of a series.
@@ -42,7 +42,7 @@ struct Accuracy
 /// by those at first yield, which only differ by a factor.
 [[nodiscard]] Numbers numbers_of(const std::string& summary);
 
-/// The same case with its cell sizes multiplied by a factor; a shift that is not given scales with the cells. The values of the
+/// Case with its cell sizes multiplied by a factor; a shift that is not given scales with the cells. The values of the
 /// case, and so its resolved text, stay those of the case as given, because they identify the series.
 /// @throws InputError if a period has too few cells for a series
 [[nodiscard]] Case with_cells(const Case& c, double size);

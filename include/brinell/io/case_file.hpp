@@ -73,7 +73,7 @@ struct Case
   CaseValues values;
   std::string grid_source; ///< "file:line: grid.spacing = ..." for messages about the size of the grid
   std::vector<Warning> warnings;
-  std::vector<std::string> notes; ///< what was done to obtain values from files
+  std::vector<std::string> notes; ///< how values were obtained from files
 };
 
 /// Reads a case file.

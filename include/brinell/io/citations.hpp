@@ -18,7 +18,7 @@ struct Reference
   std::string key;
   std::string kind;                                       ///< as BibTeX has it: "article", "book", ...
   std::map<std::string, std::string, std::less<>> fields; ///< author, title, year, ... without their braces
-  std::string bibtex;                                     ///< its entry in BibTeX
+  std::string bibtex;                                     ///< entry in BibTeX
 };
 
 /// A source and its use in a case.

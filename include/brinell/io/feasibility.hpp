@@ -18,7 +18,7 @@ using ScenarioPlan = simulation::AnyPlan;
 /// @throws InputError with place and value of the grid if it has an absurd number of cells or does not fit
 [[nodiscard]] ScenarioPlan plan_case(const Case& c, double available_memory = machine_memory());
 
-/// What a run of the case stores: what the case says and, where it says nothing, as much as stays below 200 MB.
+/// Parts that a run of the case stores: those of the case and, where it names none, as many as stay below 200 MB.
 [[nodiscard]] StoredParts stored_parts(const Case& c, const ScenarioPlan& plan);
 
 /// Size of the stored fields before compression, an estimate [bytes].

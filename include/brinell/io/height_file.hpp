@@ -14,7 +14,7 @@
 namespace brinell::io
 {
 
-/// What the lines of a text are.
+/// Meaning of the lines of a text.
 enum class HeightLayout
 {
   automatic, ///< points if the first two of three columns form a grid
@@ -25,7 +25,7 @@ enum class HeightLayout
 /// @throws InputError if the word is neither "rows" nor "points"
 [[nodiscard]] HeightLayout height_layout(std::string_view word);
 
-/// What the file may not say itself.
+/// Properties of the heights that the file may not state itself.
 struct HeightFileOptions
 {
   std::optional<std::string> unit{}; ///< of the heights; of points also of x and y

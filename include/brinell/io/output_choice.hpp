@@ -62,7 +62,7 @@ struct OutputChoice
   std::vector<HistoryPoint> points;
 };
 
-/// What a run stores.
+/// Parts of the result that a run stores.
 struct StoredParts
 {
   std::vector<std::string> in_steps{"all"}, in_final{"all"}; ///< out of `field_words`

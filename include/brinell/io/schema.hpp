@@ -66,7 +66,7 @@ struct Range
   bool min_allowed = true, max_allowed = true;
   bool zero_allowed = true;
 
-  /// Also false for NaN and infinities.
+  /// Whether a value is allowed; false for NaN and infinities.
   [[nodiscard]] bool contains(double x) const;
   /// "> 0", "in [1, 20]"; empty if everything is allowed.
   [[nodiscard]] std::string text() const;

@@ -23,7 +23,7 @@ struct PointContact
 /// @throws InputError
 [[nodiscard]] PointContact point_contact_at_load(double radius, double contact_modulus, double load);
 
-/// The same at a given approach [m], >= 0.
+/// Point contact at a given approach [m], >= 0.
 /// @throws InputError
 [[nodiscard]] PointContact point_contact_at_approach(double radius, double contact_modulus, double approach);
 
@@ -45,7 +45,7 @@ struct EllipticalContact
 [[nodiscard]] EllipticalContact elliptical_contact_at_load(double radius_x, double radius_y, double contact_modulus,
                                                            double load);
 
-/// The same at a given approach [m], >= 0.
+/// Elliptical contact at a given approach [m], >= 0.
 /// @throws InputError
 [[nodiscard]] EllipticalContact elliptical_contact_at_approach(double radius_x, double radius_y, double contact_modulus,
                                                                double approach);

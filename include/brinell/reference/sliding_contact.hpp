@@ -50,7 +50,7 @@ struct SlidingYield
 /// @throws InputError
 [[nodiscard]] SlidingYield sliding_first_yield(double poisson_ratio, double friction);
 
-/// The same of a line contact in plane strain.
+/// First yield of a sliding line contact in plane strain.
 /// @param poisson_ratio  (-1, 0.5].
 /// @throws InputError
 [[nodiscard]] SlidingYield line_sliding_first_yield(double poisson_ratio, double friction);

@@ -37,7 +37,7 @@ struct PairYield
 {
   double pressure_ratio =
       0.0; ///< C of the weaker body: Green's (2005) fit for a point contact; exact for a line, and with friction
-  double yield_stress = 0.0; ///< its S_y [Pa]
+  double yield_stress = 0.0; ///< S_y of the weaker body [Pa]
   YieldsFirst body = YieldsFirst::both;
 
   [[nodiscard]] double peak_pressure() const { return pressure_ratio * yield_stress; } ///< [Pa]

@@ -78,7 +78,7 @@ struct FrettingCycle
 
 struct FrettingSummary : RunTotals
 {
-  std::vector<FrettingCycle> cycles; ///< those that are complete
+  std::vector<FrettingCycle> cycles; ///< complete cycles
   FrettingRecord last;
 };
 

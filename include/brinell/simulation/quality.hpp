@@ -29,7 +29,7 @@ struct ExpectedError
       name; ///< pattern for the numbers' names in the summary, * matches anything: "residual.max_*_m"; may be empty
   double relative = 0.0;            ///< error relative to the value, at most 1
   double order = 2.0;               ///< of the error in the size of the cells
-  std::optional<double> measured{}; ///< the same by a series of runs of this case, instead of estimated from the tables
+  std::optional<double> measured{}; ///< relative error by a series of runs of this case, not from the tables
 
   [[nodiscard]] double best() const { return measured.value_or(relative); }
 };

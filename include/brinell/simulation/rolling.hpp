@@ -132,7 +132,7 @@ struct RollingSummary : RunTotals
 /// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan);
 [[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals);
-/// The same, with warnings about the passes.
+/// Quality of the result, with warnings about the passes.
 [[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary);
 
 template <>

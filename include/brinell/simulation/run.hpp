@@ -39,15 +39,15 @@ public:
   [[nodiscard]] int step_count() const;
   /// Fields after the last step.
   [[nodiscard]] Snapshot snapshot() const { return fields().whole(); }
-  /// The same fields, computed on demand. They must not be used after the next step or after the end of this run's lifetime.
+  /// Fields after the last step, computed on demand. They must not be used after the next step or after this run.
   [[nodiscard]] StepFields fields() const;
   /// Everything that the rest of the run depends on.
   [[nodiscard]] Archive::Fields checkpoint();
-  /// The same, passed to an archive, which may store it without a copy in memory.
+  /// Passes the checkpoint to an archive, which may store it without a copy in memory.
   void checkpoint(Archive& archive);
   /// Summary of the steps so far.
   [[nodiscard]] Summary summary() const;
-  /// The same summary, but without the fields within the bodies in its `final_state`.
+  /// Summary of the steps so far, without the fields within the bodies in its `final_state`.
   [[nodiscard]] Summary totals() const;
 
 private:

@@ -258,7 +258,7 @@ struct StepFields
     std::function<TensorField()> plastic_strain, stress;
     /// The state of some cells, which costs less than the fields: only layers down to the deepest cell are computed.
     std::function<std::vector<CellState>(std::span<const std::size_t> cells)> cells;
-    bool keeps_stress = true, keeps_von_mises = true; ///< what a result keeps of the stress
+    bool keeps_stress = true, keeps_von_mises = true; ///< parts of the stress that a result keeps
   };
 
   Snapshot surfaces;   ///< all fields but those within the bodies

@@ -110,7 +110,7 @@ struct SlidingSummary : RunTotals
 /// Warnings and expected errors of the result, before a run and after it.
 [[nodiscard]] Quality expected_quality(const SlidingCase& sliding, const SlidingPlan& plan);
 [[nodiscard]] Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const RunTotals& totals);
-/// The same, without an expected error of friction by ploughing that is nearly zero.
+/// Quality of the result, without an expected error of friction by ploughing that is nearly zero.
 [[nodiscard]] Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const SlidingSummary& summary);
 
 template <>

@@ -98,7 +98,7 @@ void Window::for_independent_rows(int layers, const Use& use) const
   }
 }
 
-/// The same for all rows of the surface.
+/// Calls use(start of a row on the surface of the body, start of the same row on that of the window) for all rows.
 template <typename Use>
 void Window::for_surface_rows(const Use& use) const
 {

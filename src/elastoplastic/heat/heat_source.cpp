@@ -30,7 +30,7 @@ double disc_area(double radius, double x, double y)
   return sign * (height * cut + below_arc(width) - below_arc(cut));
 }
 
-/// The same for a rectangle about the origin, of which half the sides are given.
+/// Area of a rectangle about the origin, of which half the sides are given, between the axes and the point; signed as xy.
 double rectangle_area(double half_x, double half_y, double x, double y)
 {
   return std::clamp(x, -half_x, half_x) * std::clamp(y, -half_y, half_y);

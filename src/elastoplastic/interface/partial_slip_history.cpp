@@ -58,7 +58,8 @@ std::vector<double> PartialSlip::shear_of_onset() const
   return onset;
 }
 
-/// That whose bound is the bound of the onset; where the surface limits the shear, a cell slips from the beginning.
+/// Pressure whose friction bound is the shear at which slip begins; where the surface limits the shear, a cell slips from the
+/// beginning.
 std::vector<double> PartialSlip::pressure_of_onset(std::span<const double> pressure) const
 {
   std::vector<double> onset(bound_.size());

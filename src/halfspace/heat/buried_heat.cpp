@@ -20,8 +20,8 @@ double sum_of(double k, double z)
   return k > 0.0 ? -std::expm1(-k * z) / k : z;
 }
 
-/// The same integral from left = e^{-kz}, with a relative error of about 1e-13. It avoids expm1, which would double the time at
-/// depths that are not the middle of a layer.
+/// Integral of e^{-kz} from 0 to z [m], given left = e^{-kz}, with a relative error of about 1e-13. It avoids expm1, which would
+/// double the time at depths that are not the middle of a layer.
 double sum_of(double k, double z, double left)
 {
   constexpr double is_small = 1e-3;

@@ -101,7 +101,7 @@ public:
   };
   [[nodiscard]] WholeHeat whole_heat() const;
   void set_whole_heat(const WholeHeat& heat);
-  /// Likewise for the heat in the body; empty if no heat can be generated there.
+  /// Heat in the body in a layout that does not depend on the symmetry; empty if no heat can be generated there.
   [[nodiscard]] std::vector<double> whole_heat_in_body() const;
   void set_whole_heat_in_body(std::span<const double> values);
 
@@ -153,7 +153,7 @@ private:
   struct SurfaceSums
   {
     double duration;
-    AlignedVector<Complex> temperature; ///< that remains after `duration`
+    AlignedVector<Complex> temperature; ///< temperature that remains after `duration`
     /// After `duration`, and now; and the heat of the slowest wave in depth. Empty if only the temperature is wanted.
     AlignedVector<Complex> potential, potential_now, slowest;
   };

@@ -119,7 +119,7 @@ AlignedVector<Complex> HeatMemory::heat_of(std::span<const double> flux, const H
   return heat;
 }
 
-/// What is moved into `before` stays as it was, digit for digit, also where the next step has another motion.
+/// Moves the heat so far into `before`, unchanged to the last digit, also where the next step has another motion.
 void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before)
 {
   if (before != nullptr)

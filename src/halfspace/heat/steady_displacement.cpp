@@ -59,7 +59,7 @@ std::vector<double> steady_displacement(const SteadyLattices& lattices, const Th
   // The constant part of the displacement on the lattices is arbitrary. Far from the cell the displacement is
   // (1 + nu) alpha Q/(2 pi K) ln(r/reference) (Barber 1971), which fixes it.
   const SurfaceGrid& g = lattices.offsets();
-  // It is evaluated in the corner, where the interpolation of single cells causes no oscillations.
+  // The constant is evaluated in the corner, where the interpolation of single cells causes no oscillations.
   const double distance = std::hypot(0.5 * (g.nx - 1) * g.dx, 0.5 * (g.ny - 1) * g.dy);
   const double unit = (1.0 + elastic.poisson_ratio) * thermal.expansion * g.cell_area() /
                       (2.0 * std::numbers::pi * thermal.conductivity);

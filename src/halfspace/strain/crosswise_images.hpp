@@ -86,7 +86,7 @@ private:
   int waves_; ///< number of wavenumbers 2 pi i / period, i < waves_, each with a cosine and a sine
   images::DepthBasis depth_;
   Matrix along_;                       ///< [cell][2 i: cos, 2 i + 1: sin]
-  AlignedVector<Lanes> along_of_cell_; ///< the same values, [cell][wave], zero beyond the last wave
+  AlignedVector<Lanes> along_of_cell_; ///< values of along_ as [cell][wave], zero beyond the last wave
   WaveCoupling coupling_;
 };
 

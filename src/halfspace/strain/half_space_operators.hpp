@@ -93,7 +93,7 @@ struct HalfSpace::Operators
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
                            std::span<double> stress) const;
-  /// The same with symmetry.
+  /// Counterpart of add_load_and_invert for symmetric fields.
   void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
                                     Work::Buffers& work, std::span<double> stress) const;
   /// One component of the stress, or its trace, in one layer: adds the stress of the surface load to the residual stress in the
@@ -119,7 +119,7 @@ private:
   int prepare_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
                    Work::Buffers& work) const;
   [[nodiscard]] CellRectangle strained_rows(int layer, const Work::Buffers& work) const;
-  /// The same plane of the spectra in the next block; for the last block, the plane itself.
+  /// Counterpart of a plane of the spectra in the next block; for the last block, the plane itself.
   [[nodiscard]] static const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane)
   {
     return block + 1 < fft.blocks() ? plane + fft.plane_at(1, 0) : plane;

@@ -54,7 +54,7 @@ void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cell
   CrosswiseImages::Columns columns =
       crosswise_ ? CrosswiseImages::Columns(s.nx, CrosswiseImages::powers) : CrosswiseImages::Columns();
   std::array<Lanes, powers> sum{};
-  // The same lanes, and so the same sums, as for the whole row.
+  // With the lanes of the whole row, and so with its sums.
   const int begin = cells.first_x / lane_count * lane_count;
   const int first_row = has == PowersOfY::all ? std::min(cells.first_y, s.ny - cells.end_y) : cells.first_y;
   for (int first = begin; first < cells.end_x; first += lane_count)

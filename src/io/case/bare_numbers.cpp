@@ -17,8 +17,8 @@ struct Suspicious
 {
   std::string_view ending; ///< of the key
   double least, most;
-  std::string_view unit;    ///< that was probably meant
-  std::string_view because; ///< what the number means in SI
+  std::string_view unit;    ///< unit that was probably meant
+  std::string_view because; ///< reason: meaning of the number in SI
 };
 
 constexpr std::string_view metals = "metals yield at 10 MPa to 5 GPa";

@@ -23,7 +23,7 @@ struct Option
   std::vector<std::string> keys; ///< keys of its parameters
   Product (*make)(const double* number) =
       nullptr;          ///< makes it from the parameters; nullptr: it needs more than numbers
-  std::string source{}; ///< its entry in references.bib
+  std::string source{}; ///< entry in references.bib
 };
 
 [[nodiscard]] const std::vector<Option<simulation::Shape>>& shape_options();

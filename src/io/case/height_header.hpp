@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-/// What comment lines before the heights of a text file say, and titles of columns.
+/// Contents of the comment lines before the heights of a text file, and of titles of columns.
 /// @throws InputError that continues a sentence which begins with the file's name (all of this header)
 namespace brinell::io
 {

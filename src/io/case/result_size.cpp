@@ -8,7 +8,7 @@
 #include <array>
 #include <fmt/format.h>
 
-/// What a run stores, and how much that is.
+/// Parts of the result that a run stores, and their size.
 namespace brinell::io
 {
 
@@ -92,7 +92,7 @@ double bytes_of(const Case& c, const ScenarioPlan& plan, const StoredParts& part
   return numbers * (parts.precision == Precision::single ? sizeof(float) : sizeof(double));
 }
 
-/// What is stored if the case says nothing: the first of these that is small, or the last one.
+/// Candidates for the parts that are stored if the case names none: the first one that is small counts, or the last one.
 std::vector<StoredParts> candidates(const OutputChoice& choice)
 {
   const Words all{"all"}, surface{"surface"},

@@ -177,7 +177,7 @@ std::string length_unit(const CaseReader& reader, const std::string& key)
   }
 }
 
-/// What the case says about a file of heights. The keys are removed, because the resolved case is in SI and has the heights.
+/// Options of a case for a file of heights. The keys are removed, because the resolved case is in SI and has the heights.
 /// @param table  ends with a dot
 HeightFileOptions options_of(CaseValues& values, const CaseReader& reader, const std::string& table)
 {

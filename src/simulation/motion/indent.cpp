@@ -93,7 +93,7 @@ IndentReader::Branch IndentReader::loading() const
   Branch branch{descend(-1), first_touch_, 0.0};
   if (branch.points.empty())
     return branch;
-  // What was loaded before is elastic up to its former load.
+  // A contact that was loaded before is elastic up to its former load.
   const auto start = static_cast<std::size_t>(branch.points.back());
   const double former =
       std::max(former_load_, *std::max_element(load_.begin(), load_.begin() + static_cast<std::ptrdiff_t>(start) + 1));

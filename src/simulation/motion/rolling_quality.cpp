@@ -49,7 +49,8 @@ constexpr Documented spin_moment{
 constexpr Documented stick_share{"stick share", "passes[*].stick_share",         0.03, 8.0,
                                  1.0,           Documented::Of::elastic_contact, 1.0};
 
-/// What lateral creepage and spin alone would do by the linear theory. Both may nearly cancel, but their errors do not.
+/// Force and moment that lateral creepage and spin alone would cause by the linear theory. Both may nearly cancel, but their
+/// errors do not.
 struct LateralParts
 {
   double force_of_creepage = 0.0, force_of_spin = 0.0; ///< [N]

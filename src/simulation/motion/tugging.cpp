@@ -279,7 +279,7 @@ constexpr Documented strain_of_tugging{"largest plastic strain",
                                        false,
                                        0.0,
                                        1.3};
-/// Its error with friction, which moves the largest strain to the surface, into the uppermost layers of cells.
+/// Error of the largest strain with friction, which moves the largest strain to the surface, into the uppermost layers of cells.
 constexpr double error_of_rubbed_strain = 0.3;
 
 /// Share of the work that is not friction; 1 before the run.

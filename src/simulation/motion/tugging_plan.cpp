@@ -50,7 +50,7 @@ struct Pair
   double peak_pressure = 0.0;        ///< of that contact [Pa]
   double peak_over_yield = 0.0;      ///< see Plan
   double first_yield = 0.0;          ///< interference at first yield, at most the full interference [m]
-  double frictionless_yield = 0.0;   ///< the same without friction [m]
+  double frictionless_yield = 0.0;   ///< interference at first yield without friction [m]
   std::array<double, 2> curvature{}; ///< relative [1/m]
   TextureReach texture;              ///< of both bodies together
 };
@@ -162,7 +162,7 @@ Extents extents_of(const TuggingCase& tugging, const Pair& pair, const Passing& 
   const auto [half_x, half_y, straight_y] = pair.contact;
   Extents e;
   e.contact_x = contact_extent_x * scale * half_x;
-  // The same margin beyond the ends of a roller as beside a point contact.
+  // As much margin beyond the ends of a roller as beside a point contact.
   e.contact_y = straight_y ? half_y + (contact_extent_y * scale - 1.0) * half_x : contact_extent_y * scale * half_y;
   if (const double height = pair.texture.height; height > 0.0)
   {

@@ -70,7 +70,8 @@ double growth_under_load(const Combined& pair, double elastic_mean_pressure)
   return std::pow(1.0 + share * share, 0.25);
 }
 
-/// The same ratio for an imposed approach (area by Jackson and Green 2005, for steels).
+/// Ratio of the contact radius to that of the elastic contact, for an imposed approach (area by Jackson and Green 2005, for
+/// steels).
 double growth_under_approach(const Combined& pair, double elastic_peak_pressure)
 {
   const double ratio = std::pow(elastic_peak_pressure / pair.yield_pressure, 2) / 1.9;

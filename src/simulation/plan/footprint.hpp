@@ -26,7 +26,7 @@ struct Footprint
       0.0;                 ///< of the smooth, elastic contact [Pa]; infinite at a tip; 0 for contacts of many patches
   double peak_ratio = 0.0; ///< peak pressure of the smooth, elastic contact over that of first yield
   double first_yield_approach = 0.0;        ///< [m]; the full approach if nothing yields before
-  double frictionless_yield_approach = 0.0; ///< the same without friction [m]: a scale of the normal contact alone
+  double frictionless_yield_approach = 0.0; ///< without friction [m]: a scale of the normal contact alone
   double contact_share = 1.0;               ///< share of the period in contact; 1 without an estimate
   /// Load that the bodies would carry if they stayed elastic, without textures and friction [N]; under an approach, plastic flow
   /// reduces it. Infinite if there is no closed form.
@@ -38,7 +38,7 @@ struct Footprint
 [[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
                                   const Domain& domain, double friction = 0.0);
 
-/// The same without the textures.
+/// Footprint of the bodies without their textures.
 [[nodiscard]] Footprint smooth_footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
                                          const Domain& domain, double friction = 0.0);
 

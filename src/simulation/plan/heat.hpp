@@ -15,7 +15,7 @@ namespace brinell::simulation
 /// Motion of heated bodies.
 struct HeatedMotion
 {
-  std::optional<double> speed; ///< or frequency: `unit`
+  std::optional<double> speed; ///< speed or frequency, see `unit`
   std::string speed_key;
   bool upper_rests =
       false;           ///< the upper body does not move relative to the contact: its heat always enters at one place

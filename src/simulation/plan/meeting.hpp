@@ -29,7 +29,7 @@ struct Meeting
 [[nodiscard]] Meeting meeting(const ShapedBody& lower, const ShapedBody& upper, const SurfaceGrid& grid, const Way& way,
                               double approach, ReadTexture* read = cell_depths);
 
-/// The same before the grids of the run are known, on a grid for estimates.
+/// Evaluates the distances before the grids of the run are known, on a grid for estimates.
 [[nodiscard]] Meeting estimated_meeting(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
                                         const Way& way, double approach);
 

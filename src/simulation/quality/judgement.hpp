@@ -20,7 +20,7 @@ struct Documented
   const char* quantity;
   const char* name; ///< pattern of the name in the summary, * matches anything; empty: not in the summary
   double error, cells, order;
-  /// What must be resolved.
+  /// Region that the cells must resolve.
   enum class Of
   {
     contact,         ///< of bodies that yield
@@ -68,7 +68,7 @@ struct Facts
   bool is_heated = false;  ///< by friction or a source
   bool has_source = false; ///< of heat, other than friction
   bool wears = false;
-  bool has_thermal_stress = false; ///< which is part of the yield condition
+  bool has_thermal_stress = false; ///< thermal stress is part of the yield condition
   /// In which a point is heated [s]: the contact passes it, on the body over which it moves faster; or half a cycle.
   std::optional<double> heating_time;
   const char* while_heated = "while the contact passes a point";

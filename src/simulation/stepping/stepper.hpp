@@ -118,7 +118,7 @@ public:
     std::vector<double> lower, upper;
   };
   [[nodiscard]] const Depths& depths(const Centre& centre);
-  /// The same plus the elastic normal displacement under the shear of the last step: the surfaces on which the pressure acts. For
+  /// Depths plus the elastic normal displacement under the shear of the last step: the surfaces on which the pressure acts. For
   /// surfaces that may stick all of it is added to the lower surface, which is equivalent, as the contact moves equally on both.
   [[nodiscard]] const Depths& loaded_depths(const Centre& centre);
   /// Pressure and shear of the last step [Pa].
