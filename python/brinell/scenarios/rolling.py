@@ -1,108 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario rolling: case class, results, key numbers and figures."""
+"""The scenario rolling: results, key numbers and figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import FloatArray, RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run
 
-__all__ = ["TRAITS", "Rolling", "RollingPass", "RollingResult", "TrackProfile"]
-
-
-class Rolling(ScenarioCase):
-    """The upper body, pressed on the lower one, rolls over it along x, pass after pass."""
-
-    _table = "rolling"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        distance: Quantity,
-        *,
-        load: Quantity | None = None,
-        hertz_pressure: Quantity | None = None,
-        approach: Quantity | None = None,
-        passes: int | None = None,
-        slide_to_roll: float | None = None,
-        creepage: Quantity | Sequence[Quantity] | None = None,
-        spin: Quantity | None = None,
-        shift: Quantity | None = None,
-        load_steps: int | None = None,
-        speed: Quantity | None = None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; exactly one of load, hertz_pressure and approach is given.
-
-        Args:
-            lower: the body that is rolled over.
-            upper: the rolling body.
-            distance: length of the track on the lower body [m].
-            load: normal load, constant during rolling [N].
-            hertz_pressure: peak pressure of the elastic contact that defines the load [Pa].
-            approach: approach, constant during rolling, instead of a load [m].
-            passes: number of passes over the track.
-            slide_to_roll: slide-to-roll ratio, difference over mean of the surface speeds [-]; 0: pure rolling. With
-                friction the surfaces slide everywhere.
-            creepage: longitudinal and lateral creepage, or the longitudinal one alone: relative speed of the upper
-                surface over the mean speed [-], or text such as "0.2 %"; with friction the surfaces stick and slip.
-            spin: rotation of the upper body relative to the lower one about the contact normal per distance rolled
-                [rad/m], or with a unit, "0.5 rad/mm"; with friction the surfaces stick and slip.
-            shift: distance by which the contact moves on the lower body per step [m].
-            load_steps: number of steps in which the load is applied before a pass, and removed after it.
-            speed: speed of the contact over the lower body, such as "1 m/s"; required if friction heats the bodies.
-            interface: friction, `brinell.Interface` or a dictionary.
-            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "distance": distance,
-            "load": load,
-            "hertz_pressure": hertz_pressure,
-            "approach": approach,
-            "passes": passes,
-            "slide_to_roll": slide_to_roll,
-            "creepage": creepage,
-            "spin": spin,
-            "shift": shift,
-            "load_steps": load_steps,
-            "speed": speed,
-        }
-        super().__init__(
-            lower,
-            upper,
-            table,
-            title=title,
-            grid=grid,
-            solver=solver,
-            output=output,
-            interface=interface,
-            thermal=thermal,
-        )
+__all__ = ["TRAITS", "RollingPass", "RollingResult", "TrackProfile"]
 
 
 @dataclass(frozen=True)

@@ -1,104 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario sliding: case class, results, key numbers and figures."""
+"""The scenario sliding: results, key numbers and figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run, Snapshot
 
-__all__ = ["TRAITS", "Sliding", "SlidingResult", "SlidingStroke"]
-
-
-class Sliding(ScenarioCase):
-    """The upper body is pressed on the lower one and slides over it along x, in one or several or reversing strokes."""
-
-    _table = "sliding"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        distance: Quantity,
-        *,
-        load: Quantity | None = None,
-        pressure: Quantity | None = None,
-        mean_gap: Quantity | None = None,
-        approach: Quantity | None = None,
-        strokes: int | None = None,
-        to_and_fro: bool | None = None,
-        shift: Quantity | None = None,
-        press_steps: int | None = None,
-        speed: Quantity | None = None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; exactly one of load, pressure, mean_gap and approach is given.
-
-        Args:
-            lower: the body at rest: a `Flat`, with or without a texture.
-            upper: the sliding body: also a `Flat`, on a grid that is periodic along both axes, or a ball or roller.
-            distance: sliding distance of each stroke [m].
-            load: normal load, which is applied first and kept constant while sliding [N].
-            pressure: mean pressure over the period that defines the load [Pa].
-            mean_gap: mean gap over the period between the deformed surfaces, instead of a load [m].
-            approach: approach, instead of a load [m]; it may be negative if high peaks meet during sliding.
-            strokes: number of strokes.
-            to_and_fro: whether every other stroke goes back; otherwise each stroke continues where the previous one
-                ended.
-            shift: sliding distance of a step [m].
-            press_steps: number of steps in which the bodies are pressed together before, and separated after sliding.
-            speed: speed of the upper body relative to the lower one, such as "1 m/s"; required if friction heats the
-                bodies.
-            interface: friction, `brinell.Interface` or a dictionary.
-            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "load": load,
-            "pressure": pressure,
-            "mean_gap": mean_gap,
-            "approach": approach,
-            "distance": distance,
-            "strokes": strokes,
-            "to_and_fro": to_and_fro,
-            "shift": shift,
-            "press_steps": press_steps,
-            "speed": speed,
-        }
-        super().__init__(
-            lower,
-            upper,
-            table,
-            title=title,
-            grid=grid,
-            solver=solver,
-            output=output,
-            interface=interface,
-            thermal=thermal,
-        )
+__all__ = ["TRAITS", "SlidingResult", "SlidingStroke"]
 
 
 @dataclass(frozen=True)
