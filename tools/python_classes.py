@@ -55,6 +55,20 @@ class Scenario:
     first: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class Listed:
+    """A dataclass with the numbers of an entry of a list in the summary."""
+
+    name: str
+    key: str
+    """The list in the summary."""
+    summary: str
+    later: tuple[str, ...] = ()
+    """Numbers that older results may lack; they are NaN then."""
+    derived: Mapping[str, str] = field(default_factory=dict)
+    """What the summary says besides, yes or no."""
+
+
 def shape(name: str, **how: object) -> Kind:
     """A shape or, with another base, a texture; its choice is the name in lower case unless `choice` is given."""
     given = {"table": "lower.shape", "base": "Shape", "choice": name.lower(), "by_place": None} | how
@@ -167,6 +181,46 @@ SCENARIOS = (
     ),
 )
 
+LISTS = (
+    Listed(
+        "Indent",
+        "indents",
+        "Results of one loading and unloading at one place, at the largest load and where the contact opens.",
+        later=("contact_fraction", "mean_gap", "contact_stiffness"),
+    ),
+    Listed(
+        "RollingPass",
+        "passes",
+        "Results of one pass, under and around the middle of the track.",
+        later=(
+            *("unsteadiness", "mean_F_X", "friction", "contact_area", "F_x", "F_y", "M_z", "stick_share"),
+            "creep_unsteadiness",
+        ),
+        derived={
+            "steady": "Whether the resistance is steady, so that it does not depend on the length of the track.",
+            "creep_steady": "Whether the forces of the shear are steady, so that they are those of steady rolling.",
+        },
+    ),
+    Listed(
+        "FrettingCycle",
+        "cycles",
+        "Results of one cycle, from the middle through both turning points back to the middle.",
+    ),
+    Listed(
+        "SlidingStroke",
+        "strokes",
+        "Averages over one stroke, and the state of the surfaces at its end.",
+        later=(
+            *("contact_fraction", "mean_gap", "patches", "largest_patch"),
+            *(
+                f"{name}_{body}"
+                for name in ("core_height", "peak_height", "valley_depth")
+                for body in ("lower", "upper")
+            ),
+        ),
+    ),
+)
+
 SHARED = {
     "interface": ("Interface", "Friction and wear, `brinell.Interface` or a dictionary."),
     "thermal": ("Heating", "Effects of heat, `brinell.Heating` or a dictionary."),
@@ -182,7 +236,7 @@ class File:
     """A module of the package that is written as a whole."""
 
     text: str
-    kinds: tuple[Kind, ...] | tuple[Scenario, ...]
+    kinds: tuple[Kind, ...] | tuple[Scenario, ...] | tuple[Listed, ...]
 
 
 FILES = {
@@ -199,5 +253,6 @@ object. A quantity is a number in the unit that is given, or text with a unit.
     "_shapes.py": File("Shapes and textures of bodies.", SHAPES),
     "materials/laws.py": File("Laws of hardening and of thermal softening.", LAWS),
     "scenarios/cases.py": File("The scenarios as classes: cases whose text is generated from arguments.", SCENARIOS),
+    "scenarios/lists.py": File("Entries of the lists in a summary: indents, passes, cycles and strokes.", LISTS),
 }
 """The files by their path in the package."""

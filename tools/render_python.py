@@ -17,7 +17,7 @@ import textwrap
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from python_classes import FILES, SHARED, Kind, Part, Scenario
+from python_classes import FILES, SHARED, Kind, Listed, Part, Scenario
 
 from brinell import _core
 
@@ -245,9 +245,37 @@ def groups_of(keys: Mapping[str, Key]) -> str:
     return f"; exactly {', and '.join(said)} is given" if said else ""
 
 
+def rendered_list(listed: Listed) -> Iterator[str]:
+    """The lines of the class of an entry of a list in the summary."""
+    columns = {column.name: column for column in _core.columns()[listed.key]}
+    texts = {name: meaning(column) for name, column in columns.items()} | listed.derived
+    always = [name for name in texts if name not in (*listed.later, *listed.derived)]
+    names = {name: f"{name}_" if name == "pass" else name for name in (*always, *listed.later, *listed.derived)}
+    yield "@dataclass(frozen=True)"
+    yield f"class {listed.name}:"
+    yield f'    """{listed.summary}'
+    yield ""
+    yield from section("Attributes", {own: texts[name] for name, own in names.items()}, "    ")
+    yield '    """'
+    yield ""
+    for name, own in names.items():
+        if name in listed.derived:
+            yield f"    {own}: bool = False"
+        else:
+            kind = "int" if columns[name].is_integer else "float"
+            yield f"    {own}: {kind}{' = math.nan' if name in listed.later else ''}"
+
+
+def meaning(column: _core.Column) -> str:
+    """Text of a number, with its unit in brackets before the first semicolon."""
+    first, semicolon, rest = column.text.partition(";")
+    unit = "" if column.is_integer else f" [{'-' if column.unit == '1' else column.unit}]"
+    return f"{first[0].upper()}{first[1:]}{unit}{semicolon}{rest}."
+
+
 # --- Files ------------------------------------------------------------------------------------------------------------
 
-MARK = "# Written by tools/render_python.py from the schema of the case file; do not edit."
+MARK = "# Written by tools/render_python.py from the engine's schema; do not edit."
 
 
 MODULES = {
@@ -266,13 +294,12 @@ MODULES = {
 def rendered(path: str) -> str:
     """The content of a file of the package."""
     kinds = FILES[path].kinds
-    code = "\n\n\n".join(
-        "\n".join(rendered_scenario(kind) if isinstance(kind, Scenario) else rendered_kind(kind)) for kind in kinds
-    )
+    code = "\n\n\n".join("\n".join(lines_of(kind)) for kind in kinds)
     own = {kind.name for kind in kinds}
     words = {*re.findall(r"\w+", re.sub(r'""".*?"""', "", code, flags=re.DOTALL))} - own
     used = {module: [name for name in names if name in words] for module, names in MODULES.items()}
-    lines = [f"from {module} import {', '.join(names)}" for module, names in used.items() if names]
+    lines = ["import math"] * ("math" in words)
+    lines += [f"from {module} import {', '.join(names)}" for module, names in used.items() if names]
     blocks = ["\n".join(line for line in lines if (" brinell." in line) is ours) for ours in (False, True)]
     names = ", ".join(f'"{name}"' for name in sorted(own))
     if len(names) + 13 > WIDTH:
@@ -282,6 +309,13 @@ def rendered(path: str) -> str:
         f"from __future__ import annotations\n\n{(2 * chr(10)).join(filter(None, blocks))}\n\n"
         f"__all__ = [{names}]\n\n\n{code}\n"
     )
+
+
+def lines_of(kind: Kind | Scenario | Listed) -> Iterator[str]:
+    """The lines of a class."""
+    if isinstance(kind, Scenario):
+        return rendered_scenario(kind)
+    return rendered_list(kind) if isinstance(kind, Listed) else rendered_kind(kind)
 
 
 def main() -> int:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Written by tools/render_python.py from the schema of the case file; do not edit.
+# Written by tools/render_python.py from the engine's schema; do not edit.
 """Settings of a case as classes, one for each of the tables `grid`, `interface`, `thermal`, `solver`, `output`.
 
     run = brinell.Indentation(lower, upper, load=["10 N", 0], grid=brinell.Grid(resolution=12)).run()

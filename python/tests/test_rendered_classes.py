@@ -14,7 +14,9 @@ from typing import Any
 import pytest
 
 import brinell
+import brinell.results
 from brinell import _core
+from brinell.scenarios import SCENARIOS
 
 TOOLS = Path(__file__).parents[2] / "tools"
 
@@ -43,14 +45,20 @@ def test_the_files_are_those_of_the_schema(tool: ModuleType) -> None:
 
 def test_every_scenario_and_choice_has_its_class(tool: ModuleType) -> None:
     kinds = [kind for file in tool.FILES.values() for kind in file.kinds]
-    choices = {(kind.table, kind.choice) for kind in kinds if getattr(kind, "choice", "")}
+    choices = {(kind.table, kind.choice) for kind in kinds if isinstance(kind, tool.Kind) and kind.choice}
     by_hand = {("lower.texture", "smooth"), ("lower.texture", "height_map"), ("lower.material.hardening", "none")}
     by_hand |= {("lower.material.hardening", "table"), ("lower.material.softening", "table")}
     for key in ("shape.type", "texture.type", "material.hardening.law", "material.softening.law"):
         table = f"lower.{key.rpartition('.')[0]}"
         wanted = {(table, choice) for choice in key_of(f"lower.{key}").choices} - by_hand
         assert wanted == {one for one in choices if one[0] == table}
-    assert [kind.name.lower() for kind in kinds if not hasattr(kind, "table")] == key_of("scenario").choices
+    assert [kind.name.lower() for kind in kinds if isinstance(kind, tool.Scenario)] == key_of("scenario").choices
+    assert {kind.key for kind in kinds if isinstance(kind, tool.Listed)} == {*_core.columns()} - {*SCENARIOS}
+
+
+def test_every_number_of_a_list_says_what_it_is() -> None:
+    lists = {name: columns for name, columns in _core.columns().items() if name not in SCENARIOS}
+    assert [f"{name}[].{one.name}" for name, columns in lists.items() for one in columns if not one.text] == []
 
 
 @pytest.mark.parametrize(
@@ -67,6 +75,8 @@ def test_every_scenario_and_choice_has_its_class(tool: ModuleType) -> None:
             brinell.Rolling.__init__,
             ["exactly one of load, hertz_pressure and approach is given", "load: Load kept while rolling. In N"],
         ),
+        (brinell.results.RollingPass, ["pass_: Number of the pass, from 1.", "positive into the body [m].", "[N m]"]),
+        (brinell.results.Indent, ["hardness: Largest load over the projected contact area [Pa]."]),
         (brinell.Fretting.__init__, ["one of load, approach and pressure, and one of displacement and force"]),
     ],
 )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Written by tools/render_python.py from the schema of the case file; do not edit.
+# Written by tools/render_python.py from the engine's schema; do not edit.
 """Laws of hardening and of thermal softening."""
 
 from __future__ import annotations

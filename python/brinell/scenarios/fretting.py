@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from brinell.scenarios.lists import FrettingCycle
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
 from brinell.summary import RunSummary
 
@@ -15,31 +15,7 @@ if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run, Snapshot
 
-__all__ = ["TRAITS", "FrettingCycle", "FrettingResult"]
-
-
-@dataclass(frozen=True)
-class FrettingCycle:
-    """Results of one cycle, from the middle through both turning points back to the middle."""
-
-    cycle: int
-    """Number of the cycle, from 1."""
-    work: float
-    """Work of the tangential force, the area of the hysteresis loop [J]."""
-    dissipation_friction: float
-    """Energy dissipated by friction in this cycle [J]."""
-    dissipation_plastic: float
-    """Plastic work in both bodies in this cycle [J]."""
-    max_force: float
-    """Largest magnitude of the tangential force [N]."""
-    max_displacement: float
-    """Largest magnitude of the displacement [m]."""
-    slip_amplitude: float
-    """A quarter of the largest local slip path of this cycle [m]."""
-    stick_share: float
-    """Smallest fraction of the contact area that sticks [-]."""
-    max_equivalent_plastic_strain: float
-    """Largest equivalent plastic strain of both bodies at the end of the cycle [-]."""
+__all__ = ["TRAITS", "FrettingResult"]
 
 
 class FrettingResult(RunSummary):

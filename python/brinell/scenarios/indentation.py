@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from brinell.scenarios.lists import Indent
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
 from brinell.summary import RunSummary
 
@@ -16,46 +16,7 @@ if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run
 
-__all__ = ["TRAITS", "Indent", "IndentationResult"]
-
-
-@dataclass(frozen=True)
-class Indent:
-    """Results of one loading and unloading at one place, at the largest load and where the contact opens."""
-
-    place: int
-    """Number of the place in the case, from 1."""
-    cycle: int
-    """Number of the loading cycle at this place, from 1."""
-    x: float
-    """Coordinate of the indenter's apex on the lower body [m]."""
-    max_load: float
-    """Largest load [N]."""
-    max_approach: float
-    """Approach at the largest load, from first touch of the undeformed smooth shapes [m]."""
-    contact_area: float
-    """Projected contact area at the largest load [m^2]."""
-    hardness: float
-    """Largest load over the projected contact area [Pa]."""
-    loading_stiffness: float
-    """Slope of load over approach during loading, at the largest load [N/m]; NaN if no step before it has a load."""
-    unloading_stiffness: float
-    """Slope of load over approach at the beginning of unloading [N/m]; NaN if no step after it has a load."""
-    final_approach: float
-    """Approach at which the contact opens [m]; NaN if it does not open."""
-    residual_depth: float
-    """Largest residual displacement of the lower body after unloading, positive into the body [m]."""
-    pile_up: float
-    """Largest height of the lower body's residual surface after unloading, positive outwards [m]."""
-    work: float
-    """Net work of the drive in this indent [J]."""
-    contact_fraction: float = math.nan
-    """Contact area over the area of the period at the largest load [-]; NaN unless both axes are periodic."""
-    mean_gap: float = math.nan
-    """Mean gap over the period at the largest load [m]; NaN unless both axes are periodic."""
-    contact_stiffness: float = math.nan
-    """Elastic stiffness at the largest load, change of nominal pressure over change of mean gap [Pa/m]; NaN unless both
-    axes are periodic."""
+__all__ = ["TRAITS", "IndentationResult"]
 
 
 class IndentationResult(RunSummary):

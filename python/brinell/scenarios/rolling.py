@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from brinell.scenarios.lists import RollingPass
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
 from brinell.summary import FloatArray, RunSummary
 
@@ -16,55 +17,7 @@ if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run
 
-__all__ = ["TRAITS", "RollingPass", "RollingResult", "TrackProfile"]
-
-
-@dataclass(frozen=True)
-class RollingPass:
-    """Results of one pass, under and around the middle of the track."""
-
-    pass_: int
-    """Number of the pass, from 1."""
-    rut_depth: float
-    """Residual displacement of the lower body at x = y = 0, positive into the body [m]."""
-    shoulder_height: float
-    """Largest height of the lower body's residual surface in the section x = 0, positive outwards [m]."""
-    max_equivalent_plastic_strain: float
-    """Largest equivalent plastic strain of both bodies [-]."""
-    track_plastic_strain: float
-    """Largest equivalent plastic strain of the lower body under x = y = 0 [-]."""
-    track_plastic_increment: float
-    """Largest increment of the equivalent plastic strain under x = y = 0 in this pass [-]."""
-    dissipation: float
-    """Plastic work in both bodies in this pass [J]."""
-    resistance: float
-    """Energy dissipated and locked in by both bodies per length, over the middle half of the track [N]."""
-    max_pressure: float
-    """Largest pressure, averaged over the middle half of the track [Pa]."""
-    steady: bool = False
-    """Whether the resistance is steady, so that it does not depend on the length of the track."""
-    unsteadiness: float = math.nan
-    """Difference of the resistance between the two quarters of the middle half, over the larger of them [-]; the
-    resistance counts as steady up to 0.1."""
-    mean_F_X: float = math.nan
-    """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
-    friction: float = math.nan
-    """Mean F_X over mean F_n in the middle half of the track [-]."""
-    contact_area: float = math.nan
-    """Contact area, averaged over the middle half of the track [m^2]."""
-    F_x: float = math.nan
-    """Force of the shear on the lower body along x, averaged over the last quarter of the track [N]."""
-    F_y: float = math.nan
-    """Force of the shear on the lower body along y, averaged over the last quarter of the track [N]."""
-    M_z: float = math.nan
-    """Moment of the shear about the contact normal, positive from x to y, averaged over the last quarter [N m]."""
-    stick_share: float = math.nan
-    """Fraction of the contact area that sticks, averaged over the last quarter of the track; 0 without creepage [-]."""
-    creep_steady: bool = False
-    """Whether the forces of the shear are steady, so that they are those of steady rolling."""
-    creep_unsteadiness: float = math.nan
-    """Difference of the force between both halves of the last quarter, over the larger of them [-]; the force counts as
-    steady up to 0.01."""
+__all__ = ["TRAITS", "RollingResult", "TrackProfile"]
 
 
 @dataclass(frozen=True, eq=False)

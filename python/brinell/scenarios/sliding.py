@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from brinell.scenarios.lists import SlidingStroke
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
 from brinell.summary import RunSummary
 
@@ -16,61 +16,7 @@ if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run, Snapshot
 
-__all__ = ["TRAITS", "SlidingResult", "SlidingStroke"]
-
-
-@dataclass(frozen=True)
-class SlidingStroke:
-    """Averages over one stroke, and the state of the surfaces at its end."""
-
-    stroke: int
-    """Number of the stroke, from 1."""
-    friction: float
-    """Mean F_X over mean F_n [-]."""
-    friction_ploughing: float
-    """Part of `friction` from pressure on the slopes of both surfaces (ploughing) [-]."""
-    friction_interfacial: float
-    """Part of `friction` from the shear between the surfaces [-]."""
-    mean_F_X: float
-    """Mean F_X [N]."""
-    contact_area: float
-    """Mean contact area [m^2]."""
-    max_pressure: float
-    """Mean over the stroke of the largest pressure [Pa]."""
-    dissipation_plastic: float
-    """Plastic work in both bodies in this stroke, without pressing and parting [J]."""
-    dissipation_friction: float
-    """Energy dissipated by friction in this stroke, without pressing and parting [J]."""
-    max_equivalent_plastic_strain: float
-    """Largest equivalent plastic strain of both bodies at the end of the stroke [-]."""
-    rms_height_lower: float
-    """Sq of the lower surface (texture and residual displacement, over its grid) at the end of the stroke [m]."""
-    rms_height_upper: float
-    """Sq of the upper surface at the end of the stroke [m]."""
-    mean_height_lower: float
-    """Sa of the lower surface at the end of the stroke [m]."""
-    mean_height_upper: float
-    """Sa of the upper surface at the end of the stroke [m]."""
-    contact_fraction: float = math.nan
-    """Mean contact area over the area of the period [-]; NaN unless both axes are periodic."""
-    mean_gap: float = math.nan
-    """Gap averaged over the period and the stroke [m]; NaN unless both axes are periodic."""
-    patches: float = math.nan
-    """Mean number of contact patches [-]."""
-    largest_patch: float = math.nan
-    """Mean area of the largest patch [m^2]."""
-    core_height_lower: float = math.nan
-    """Sk of the lower surface, the core height of the bearing-area curve, at the end of the stroke [m]."""
-    core_height_upper: float = math.nan
-    """Sk of the upper surface at the end of the stroke [m]."""
-    peak_height_lower: float = math.nan
-    """Spk of the lower surface, the reduced peak height, at the end of the stroke [m]."""
-    peak_height_upper: float = math.nan
-    """Spk of the upper surface at the end of the stroke [m]."""
-    valley_depth_lower: float = math.nan
-    """Svk of the lower surface, the reduced valley depth, at the end of the stroke [m]."""
-    valley_depth_upper: float = math.nan
-    """Svk of the upper surface at the end of the stroke [m]."""
+__all__ = ["TRAITS", "SlidingResult"]
 
 
 class SlidingResult(RunSummary):
