@@ -89,6 +89,7 @@ check: build/.setup-packages .venv/.extras-done
 	@python3 tools/check_comments.py
 	@.venv/bin/ruff check --quiet python && .venv/bin/ruff format --quiet --check python || { echo "'make format' mends some of it"; exit 1; }
 	@.venv/bin/mypy
+	@$(python) tools/render_python.py --check
 
 # Many sources at a time, since most of the time is that of reading headers; then what concerns a file alone, and that it
 # compiles alone. tidy-changed compiles what a change touches (tools/changes.py), and reads all files as text.

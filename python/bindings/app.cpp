@@ -109,8 +109,20 @@ void bind_commands(nb::module_& m)
   nb::class_<io::Entry>(m, "SchemaKey")
       .def_ro("key", &io::Entry::key)
       .def_ro("choices", &io::Entry::choices)
+      .def_prop_ro("kind", [](const io::Entry& e) { return io::type_names.at(static_cast<std::size_t>(e.of.type)); })
       .def_prop_ro("is_list",
                    [](const io::Entry& e) { return e.of.type == io::Type::numbers || e.of.type == io::Type::words; })
+      .def_ro("per_axis", &io::Entry::per_axis)
+      .def_prop_ro("unit", [](const io::Entry& e) { return io::unit_of(e.of); })
+      .def_prop_ro("has_unit", [](const io::Entry& e)
+                   { return e.of.notation != io::Notation::plain || !io::unit_of(e.of).empty(); })
+      .def_prop_ro("range", [](const io::Entry& e) { return e.of.range.text(); })
+      .def_ro("required", &io::Entry::required)
+      .def_prop_ro("default", &io::default_text)
+      .def_prop_ro("when", [](const io::Entry& e) { return std::pair(e.when.key, e.when.values); })
+      .def_ro("excludes", &io::Entry::excludes)
+      .def_ro("one_of", &io::Entry::one_of)
+      .def_ro("pure_if", &io::Entry::pure_if)
       .def_ro("text", &io::Entry::text);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);

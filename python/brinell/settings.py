@@ -1,70 +1,81 @@
 # SPDX-License-Identifier: BSD-3-Clause
+# Written by tools/render_python.py from the engine's schema; do not edit.
 """Settings of a case as classes, one for each of the tables `grid`, `interface`, `thermal`, `solver`, `output`.
 
     run = brinell.Indentation(lower, upper, load=["10 N", 0], grid=brinell.Grid(resolution=12)).run()
 
-A field that is None takes the default of the case file (docs/reference/case-file.md). A dictionary with the same keys
-can be used instead of an object.
+A field that is None takes the default of the case file. A dictionary with the same keys can be used instead of an
+object. A quantity is a number in the unit that is given, or text with a unit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from brinell.bodies import Quantity
+from brinell._tables import CaseTable, Quantity
 
-__all__ = ["Grid", "HeatSource", "Heating", "Interface", "Output", "Solver", "Wear"]
-
-
-class _Table:
-    """A table of the case file: the fields of a dataclass that are not None."""
-
-    def to_case(self) -> dict[str, Any]:
-        """The table as a dictionary."""
-        values = {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
-        return {name: value for name, value in values.items() if value is not None}
+__all__ = ["Grid", "HeatSource", "Heating", "Interface", "Output", "Point", "Solver", "Wear"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Grid(_Table):
-    """The grid. Lengths are in m, or text with a unit.
+class Grid(CaseTable):
+    """The grid.
 
     Attributes:
-        spacing: cell size [dx, dy, dz]: along the motion, across it, in depth. It is an alternative to `resolution`.
-        resolution: number of cells per contact radius along x.
-        extent: factor on the initial extent of the grids, which grow where that is not enough.
-        boundary: "open" or "periodic", for both axes or as a pair; periodic along y alone, with one row of cells, is
-            plane strain.
-        size: period along each periodic axis.
-        cells: number of cells per period along each periodic axis.
-        layer: thickness of the layers of cells in depth.
-        reference: with exactly one periodic axis: distance from a line load at which its displacement is set to zero.
+        spacing: Size of the cells [dx, dy, dz]: along the motion, across it, in depth. In m, > 0; default: from
+            resolution; not together with resolution.
+        resolution: Cells per contact radius along x, estimated at the largest load; the cell sizes follow from it.
+            Tugging: the elastic contact radius at alignment, cells of dx, 2 dx and dx/2. Allowed: in [1, 1000];
+            default: 8.0, in tugging 14.0; not together with spacing; only with boundary = "open" or "periodic_x" or
+            "periodic_y".
+        extent: Factor on the initial extent of the grids around contact and plastic zone; the grids grow if it is not
+            enough. Allowed: in [0.5, 10]; default: 1.0.
+        boundary: Boundary conditions: open (unloaded half spaces beyond the grids) or periodic. May be a list for x and
+            y: ["open", "periodic"]. Periodic along y alone, with one row of cells, is plane strain. Default: "open".
+        size: Period along x and along y; a single number is for both, or for the one periodic axis. In m, > 0; default:
+            1 m along y; only with boundary = "periodic" or "periodic_x" or "periodic_y".
+        cells: Number of cells in a period along x and along y; a single number is for both, or for the one periodic
+            axis. Products of small primes are fast. One cell along an axis is for problems that are uniform along it.
+            Allowed: in [1, 65536]; default: from spacing; one along y if it alone is periodic; only with boundary =
+            "periodic" or "periodic_x" or "periodic_y".
+        layer: Thickness of the layers of cells. In m, > 0; default: half of the smaller of dx and dy; only with
+            boundary = "periodic" or "periodic_x" or "periodic_y".
+        reference: Distance from a line load at which its displacement is taken as zero; in plane strain the
+            displacement has no limit but varies with the logarithm of the distance. At least the half-width of the
+            contact. In m, > 0; default: 2 R/e for two cylinders, as for the approach of Green (2005); otherwise the
+            period; only with boundary = "periodic_x" or "periodic_y".
     """
 
     spacing: Sequence[Quantity] | None = None
     resolution: float | None = None
     extent: float | None = None
     boundary: str | Sequence[str] | None = None
-    size: Sequence[Quantity] | None = None
-    cells: Sequence[int] | None = None
+    size: Quantity | Sequence[Quantity] | None = None
+    cells: int | Sequence[int] | None = None
     layer: Quantity | None = None
     reference: Quantity | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
-class Interface(_Table):
-    """Friction, frictional heat and wear of the interface, in tugging, sliding, rolling with slip and fretting.
+class Interface(CaseTable):
+    """Friction, frictional heat and wear of the interface.
 
     Attributes:
-        friction: friction coefficient, shear over pressure [-].
-        shear_limit: largest shear that the interface can transmit [Pa], for instance a film; a surface never carries
-            more than its current shear yield stress.
-        coupling: whether the shear changes the gap if the two materials differ.
-        heat_fraction: fraction of the friction power that heats bodies with thermal constants [-].
-        wear: wear of the surfaces where they slip, `brinell.Wear` or a dictionary.
+        friction: Coefficient of Coulomb friction: where the surfaces slide, the shear is friction x pressure, limited
+            by shear_limit, and opposes the relative motion. In rolling friction needs a slide_to_roll other than 0 or
+            creepage, and it does not act while the upper body is pressed on or lifted off. In fretting, and in rolling
+            with creepage, the surfaces stick where less shear is enough. Allowed: >= 0; default: 0.0.
+        shear_limit: Largest shear of the interface, for instance of a film. A surface never carries more than its
+            current shear yield stress. In Pa, > 0; default: the current shear yield stress of the softer surface,
+            including hardening.
+        coupling: Whether the shear changes the gap, as it does if the elastic constants of the two materials differ.
+            False: this effect is neglected, as if both surfaces moved equally. Default: True.
+        heat_fraction: Share of the friction power that heats the two bodies, if they have thermal constants. Allowed:
+            in [0, 1]; default: 1.0.
+        wear: Wear of the surfaces where they slip, `brinell.Wear` or a dictionary.
     """
 
     friction: float | None = None
@@ -75,15 +86,16 @@ class Interface(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Wear(_Table):
+class Wear(CaseTable):
     """Wear of both surfaces where they slip.
 
     Attributes:
-        lower: wear coefficient of the lower surface: depth per pressure and slip path [1/Pa], or text,
-            "1e-6 mm^3/(N m)".
-        upper: wear coefficient of the upper surface.
-        law: "archard": wear proportional to pressure times slip path; "energy": proportional to the friction work,
-            shear times slip path.
+        lower: Wear coefficient of the lower surface: worn depth per pressure and slip length, in 1/Pa, or as text in
+            mm^3/(N m). A rigid body may wear, too. In rolling wear needs a slide_to_roll other than 0, or a creepage.
+            Allowed: >= 0; default: 0.0.
+        upper: Wear coefficient of the upper surface. In 1/Pa, >= 0; default: 0.0.
+        law: Wear law. archard: worn depth = coefficient x pressure x slip length; energy: worn depth = coefficient x
+            friction work per area (shear x slip length). Default: "archard".
     """
 
     lower: Quantity | None = None
@@ -92,19 +104,26 @@ class Wear(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeatSource(_Table):
-    """Heat that is supplied from outside at a constant power and moves with the contact, with or without friction.
+class HeatSource(CaseTable):
+    """Heat that is supplied from outside.
 
     Attributes:
-        shape: "disc" or "rectangle": uniform flux into the surface of one body; "contact": heat that arises between
-            the surfaces in proportion to the pressure, as that of an electric current.
-        on: the body whose surface a disc or rectangle heats.
-        power: total power [W]; on a periodic grid that of one period.
-        flux: flux of a disc or rectangle [W/m²], instead of the power.
-        radius: radius of a disc [m].
-        length: length of a rectangle along x [m].
-        width: width of a rectangle along y [m]; None, along a periodic axis: the whole period.
-        offset: position of a disc or rectangle along x, from the middle of the contact grid [m].
+        shape: Heat that is supplied from outside at a constant power, also without friction, and moves with the
+            contact. disc, rectangle: uniform flux into the surface of one body, as by a laser or a heater; contact:
+            heat that arises between the surfaces in proportion to the pressure, as by an electric current, and is
+            shared as the heat of friction. It acts from the first step on, except on the way back between passes. Needs
+            thermal constants and a speed. Default: "none".
+        on: Body whose surface the source heats. Default: "lower"; only with shape = "disc" or "rectangle".
+        power: Power of the source; over a period or in plane strain, that of one period. In W, > 0; default: the flux
+            is given; not together with flux; only with shape = "disc" or "rectangle" or "contact".
+        flux: Flux of the source, instead of its power. In W/m^2, > 0; default: the power is given; not together with
+            power; only with shape = "disc" or "rectangle".
+        radius: Radius of the disc. In m, > 0; only with shape = "disc".
+        length: Length of the rectangle along x. In m, > 0; only with shape = "rectangle".
+        width: Width of the rectangle along y. In m, > 0; default: along a periodic axis the whole period; otherwise it
+            has to be given; only with shape = "rectangle".
+        offset: Distance of the middle of the source from the middle of the contact grid, along x. In m; default: 0.0;
+            only with shape = "disc" or "rectangle".
     """
 
     shape: Literal["none", "disc", "rectangle", "contact"]
@@ -118,22 +137,34 @@ class HeatSource(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Heating(_Table):
-    """Effects of heat on bodies with thermal constants, in tugging, rolling, sliding and fretting.
+class Heating(CaseTable):
+    """Effects of heat on bodies with thermal constants.
 
     Attributes:
-        partition: fraction of the frictional heat that enters the lower body [-]; None: both surfaces have the same
-            temperature where they touch.
-        conductance: thermal conductance of the contact [W/(m² K)]. None: there is no thermal resistance or, if
-            `partition` is given, no exchange of heat between the bodies.
-        regime: "transient": all heat since the start counts; "steady": the heat flux of each step is taken to have
-            always acted (bodies that yield then need heat_of_plastic_work=0; not where surfaces may stick).
-        reference: distance at which the displacement of a body at rest under a steady flux is set to zero [m].
-        heat_of_plastic_work: fraction of the plastic work that becomes heat at the point where it is done [-]; 0: none.
-        displacement: whether thermal expansion of the surfaces changes the gap.
-        stress: whether the thermal stress contributes to yielding.
-        at_melting: whether a run goes on or stops when a surface reaches the melting temperature of its softening.
-        source: heat from outside, `brinell.HeatSource` or a dictionary.
+        partition: Share of the heat of friction that enters the lower body, everywhere in the contact, before heat
+            passes between the surfaces by the conductance. For two bodies that conduct heat. Allowed: in [0, 1];
+            default: both surfaces have the same temperature where they touch.
+        conductance: Thermal contact conductance: heat flux from one surface to the other where they touch, per
+            difference of their temperatures. The heat of friction is released on both surfaces, by the partition, or in
+            halves. In W/(m^2 K), >= 0; default: no thermal resistance, so that both surfaces have the same temperature
+            where they touch; with a partition no heat passes.
+        regime: Heat that determines the temperatures. transient: all heat since the start. steady: steady state, as if
+            the heat of the present step had always acted and moved with the present speed; needs grids that are open
+            along x; bodies that yield need heat_of_plastic_work = 0. Default: "transient".
+        reference: Distance from the contact at which the thermal displacement is taken as zero, for a body at rest
+            under a steady flux; its thermal displacement has no limit but varies with the logarithm of the distance. An
+            imposed approach counts from there; under a given load only the approach depends on it. In m, > 0; default:
+            none: a steady flux at rest on a body that expands is refused.
+        heat_of_plastic_work: Share of the plastic work that becomes heat, in the cells in which it is done. It acts
+            only if the heat of friction is computed. 0: plastic work does not heat. Metals have about 0.9; the rest
+            stays in the material. Allowed: in [0, 1]; default: 0.9.
+        displacement: Whether thermal expansion of the surfaces changes the gap. False: this effect is neglected.
+            Default: True.
+        stress: Whether thermal stress contributes to yielding. False: this effect is neglected. Default: True.
+        at_melting: What the run does when a surface reaches the melting temperature of its softening. go_on: the melt
+            counts as a solid with a hundredth of its yield stress, and the run warns at its end; stop: the run ends
+            with an error and keeps the steps before. Default: "go_on".
+        source: Heat from outside, `brinell.HeatSource` or a dictionary.
     """
 
     partition: float | None = None
@@ -148,30 +179,47 @@ class Heating(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Solver(_Table):
+class Solver(CaseTable):
     """Tolerances and methods of the solver.
 
     Attributes:
-        accuracy: largest accepted relative error of the key numbers, 0.01 or "1 %"; a series of runs with finer and
-            finer cells is then computed.
-        yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
-        displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to the
-            approach at first yield [-].
-        contact_tolerance: largest gap under pressure, relative to the largest approach [-]. At most a thousandth of
-            `yield_tolerance` and a hundredth of `displacement_tolerance` is used, or 1e-12 if that is more.
-        max_evaluations: largest number of evaluations of an increment before it is split.
-        anderson_depth: number of earlier iterates in the Anderson acceleration; 0: plain fixed-point iteration.
-        integration: time integration of the plastic strain in a step, "path" or "backward_euler".
-        mirror: whether only one of two bodies that are mirror images is solved.
-        symmetry: whether only one side of the plane y = 0 is solved if the problem is symmetric to it.
-        shortcuts: whether, within an increment, the stress is computed only in the layers near yield and the heat only
-            approximately.
-        windows: with `shortcuts`, whether only the columns near the contact are computed within an increment.
-        onset_increments: where sliding begins or reverses, number of increments at rest in which friction is raised by
-            the shear yield stress; 0: friction is raised in one increment, together with the first motion.
+        accuracy: Largest accepted relative error of the key numbers, for example "1 %" or 0.01. The case is then run
+            with coarser cells first, then with the given cells and, if necessary, with finer ones, until the error
+            estimated from the differences between these runs is below it; summary.json gives the interval of each
+            number. A number or as "1 %", in (0, 0.5]; default: one run, with the cells as given.
+        yield_tolerance: Largest violation of the yield condition, relative to the yield stress. Allowed: in (0, 0.1);
+            default: 0.0001.
+        displacement_tolerance: Largest change of the residual displacement in the last evaluation, relative to the
+            approach at first yield. Allowed: in (0, 0.1); default: 1e-05.
+        contact_tolerance: Complementarity of the contact: largest gap under pressure, relative to the largest approach.
+            At most a thousandth of yield_tolerance and a hundredth of displacement_tolerance is used, or 1e-12 if that
+            is more. Allowed: in (0, 0.1); default: 1e-07.
+        max_evaluations: Largest number of evaluations of an increment before it is split; with friction it is
+            multiplied by four. Allowed: in [1, 100000]; default: 60.
+        anderson_depth: Earlier iterates used to accelerate the iteration; 0: plain fixed point. Allowed: in [0, 50];
+            default: 6.
+        integration: Integration of the plastic strain over a step. path: along the path of the trial stress, of second
+            order in the step; backward_euler: one radial return at the end of the step, of first order, as in the
+            paper. Default: "path".
+        mirror: Solve only one body where both always have the same fields: two equal asperities, which stay mirror
+            images of each other under exact kinematics, or bodies of the same material in pure rolling and indentation.
+            False: solve both (a check; the results agree within the tolerances). Default: True.
+        symmetry: Solve only one half if both bodies, their textures and the motion are symmetric about the plane y = 0,
+            and the surfaces do not stick: half of the work, with the same result except for rounding. `brinell check`
+            shows whether symmetry is used. False: solve both halves (a check). Default: True.
+        shortcuts: Within an increment compute the stress only in the layers near yield; the last evaluation computes
+            all layers, so that no yield is missed. False: all layers and all cells in every evaluation, and heat
+            without approximations (a check; the results agree within the tolerances). Default: True.
+        windows: If `shortcuts` is true and a body is longer than what an increment changes, compute the stress within
+            an increment only in a window of columns around yielding cells and pressure; the last evaluation computes
+            the whole body. False: no window (a check; the results agree within the tolerances). Default: True.
+        onset_increments: Where surfaces that slide everywhere begin to slide, or reverse, friction is raised before
+            they move: in one increment for this part of the shear yield stress of the weaker body, 1/16 by default. 0:
+            in one increment together with the first motion, which makes the plastic work of the onset too small.
+            Allowed: in [0, 1000]; default: 16.
     """
 
-    accuracy: float | str | None = None
+    accuracy: Quantity | None = None
     yield_tolerance: float | None = None
     displacement_tolerance: float | None = None
     contact_tolerance: float | None = None
@@ -186,14 +234,16 @@ class Solver(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Point(_Table):
+class Point(CaseTable):
     """A point within a body at which each step records stress, plastic strain and temperature.
 
     Attributes:
-        depth: depth below the surface [m].
-        x: coordinate on the surface of the body along the motion [m]; None: 0.
-        y: coordinate across [m]; None: 0.
-        body: "lower" or "upper"; None: the lower one.
+        depth: Depth of the point below the surface. In m, >= 0; default: there is no point.
+        x: x of the point on the surface of its body. The values are those of the cell around the point. In m; default:
+            0.
+        y: y of the point. In m; default: 0.
+        body: Body of a point at which each step records stress, plastic strain and temperature in the file points.csv;
+            a table, or a list of tables. Default: the lower one.
     """
 
     depth: Quantity
@@ -203,33 +253,42 @@ class Point(_Table):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Output(_Table):
+class Output(CaseTable):
     """Storage of results.
 
     Attributes:
-        snapshots: steps whose fields are stored in addition to the final state: "none", "aligned", "all", "every 5", or
-            a list of step numbers.
-        fields: fields of the stored states: "all"; "surface", all fields on surfaces; names such as "von_mises_stress";
-            or a list of these. None: all, as far as the result stays below 200 MB.
-        bodies: bodies whose fields are stored: "both", "lower" or "upper".
-        depth: depth down to which layers are stored [m].
-        region_x: first and last x of the stored columns, on the surface of each body [m]; equal numbers store one.
-        region_y: first and last y of the stored rows [m]; (0, 0) stores the plane y = 0.
-        stride: distance between stored columns, and between stored rows, in cells.
-        points: points at which each step records stress and strain, a list of `brinell.Point`.
-        precision: "double" or "single"; None: single if the result would exceed 200 MB.
-        directory: folder of the results for the command line; `Case.run` has an argument of its own for it.
-        checkpoint_interval: time between two checkpoints of a run [s].
+        snapshots: Steps whose fields are stored, in addition to the final state, which is always stored. "aligned": the
+            step nearest to the middle of each pass; in an indentation the steps that reach an entry of the list; in
+            fretting the turns and the ends of the cycles; in sliding when the bodies are pressed together, and in the
+            middle of each stroke. Default: "aligned".
+        fields: Fields of the stored states. "surface": all fields on surfaces, and none within the bodies; "shear",
+            "slip", "surface_temperature" and "heat_flux" are the fields of the contact of these names with all their
+            components. Pressure and gap are always stored. Default: all, as far as the result stays below 200 MB.
+        bodies: Bodies whose fields are stored, on their surfaces and within them. Default: "both".
+        depth: Depth down to which layers are stored. In m, > 0; default: the whole grid.
+        region_x: First and last x of the stored columns, on the surface of each body; equal numbers store the nearest
+            column, which is a plane. The fields of the contact are stored as a whole. In m; default: the whole grid.
+        region_y: First and last y of the stored rows; equal numbers store the nearest row: [0, 0] is the plane y = 0.
+            In m; default: the whole grid.
+        stride: Distance between two stored columns, and between two rows, in cells: 2 stores a quarter of all cells,
+            unchanged, not means over them. Allowed: in [1, 1000]; default: 1.
+        precision: How the numbers of the fields are stored; single precision has 7 digits and half of the size. All
+            computing is in double precision. Default: double, or single if the result would exceed 200 MB.
+        directory: Folder of the results, relative to the current directory; -o on the command line has priority. NAME
+            is the name of the case file, or of its folder if the file is called case.toml. Default: results/NAME.
+        checkpoint_interval: Time between checkpoints, from which brinell run --resume can continue the run. A
+            checkpoint is also written when the run is interrupted. In s, >= 0; default: 30.0.
+        points: Points at which each step records stress and strain, a list of `brinell.Point` or a dictionary.
     """
 
     snapshots: str | Sequence[int] | None = None
     fields: str | Sequence[str] | None = None
     bodies: Literal["both", "lower", "upper"] | None = None
     depth: Quantity | None = None
-    region_x: tuple[Quantity, Quantity] | None = None
-    region_y: tuple[Quantity, Quantity] | None = None
+    region_x: Sequence[Quantity] | None = None
+    region_y: Sequence[Quantity] | None = None
     stride: int | None = None
     precision: Literal["double", "single"] | None = None
-    points: Sequence[Point | Mapping[str, Any]] | None = None
     directory: str | Path | None = None
     checkpoint_interval: Quantity | None = None
+    points: Sequence[Point | Mapping[str, Any]] | None = None

@@ -58,6 +58,10 @@ enum class Type
   words      ///< a list of Entry::choices, at least one
 };
 
+/// Names of the types, in the order of `Type`.
+inline constexpr std::array<std::string_view, 9> type_names{"text",    "choice",  "boolean",   "integer", "number",
+                                                            "vector3", "numbers", "snapshots", "words"};
+
 /// Allowed interval of a number (of each component of a vector or list).
 struct Range
 {
@@ -105,6 +109,9 @@ struct ValueKind
   }
   [[nodiscard]] constexpr ValueKind nonzero() const { return in({.zero_allowed = false}); }
 };
+
+/// The unit of a bare number: "m", "degrees", "degC"; empty for a number without dimension.
+[[nodiscard]] std::string unit_of(const ValueKind& kind);
 
 /// The entry applies if another key has one of these values ("true", "false" for a boolean). No key: always.
 struct Condition
@@ -161,6 +168,9 @@ struct Entry
 
 /// Allowed values of a key as text: "length > 0, in m or with a unit as in \"3.85 mm\"".
 [[nodiscard]] std::string allowed_values(const Entry& entry);
+
+/// The default of a key as text, `12.0, in tugging 15.0`, or the effect of leaving it unset; "required" for a required key.
+[[nodiscard]] std::string default_text(const Entry& entry);
 
 /// The table for a terminal.
 /// @param part  a key, or a table, whose keys are all described; empty: everything

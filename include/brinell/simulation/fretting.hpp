@@ -115,15 +115,16 @@ inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({
 /// In summary.json each name has its unit as suffix.
 template <>
 inline constexpr std::array<Column<FrettingCycle>, 9> columns<FrettingCycle>{{
-    {"cycle", "1", &FrettingCycle::cycle},
-    {"work", "J", &FrettingCycle::work},
-    {"dissipation_friction", "J", &FrettingCycle::dissipation_friction},
-    {"dissipation_plastic", "J", &FrettingCycle::dissipation_plastic},
-    {"max_force", "N", &FrettingCycle::max_force},
-    {"max_displacement", "m", &FrettingCycle::max_displacement},
-    {"slip_amplitude", "m", &FrettingCycle::slip_amplitude},
-    {"stick_share", "1", &FrettingCycle::stick_share},
-    {"max_equivalent_plastic_strain", "1", &FrettingCycle::max_equivalent_plastic_strain},
+    {"cycle", "1", &FrettingCycle::cycle, "number of the cycle, from 1"},
+    {"work", "J", &FrettingCycle::work, "work of the tangential force, the area of the hysteresis loop"},
+    {"dissipation_friction", "J", &FrettingCycle::dissipation_friction, "energy dissipated by friction in this cycle"},
+    {"dissipation_plastic", "J", &FrettingCycle::dissipation_plastic, "plastic work in both bodies in this cycle"},
+    {"max_force", "N", &FrettingCycle::max_force, "largest magnitude of the tangential force"},
+    {"max_displacement", "m", &FrettingCycle::max_displacement, "largest magnitude of the displacement"},
+    {"slip_amplitude", "m", &FrettingCycle::slip_amplitude, "a quarter of the largest local slip path of this cycle"},
+    {"stick_share", "1", &FrettingCycle::stick_share, "smallest fraction of the contact area that sticks"},
+    {"max_equivalent_plastic_strain", "1", &FrettingCycle::max_equivalent_plastic_strain,
+     "largest equivalent plastic strain of both bodies at the end of the cycle"},
 }};
 
 } // namespace brinell::simulation

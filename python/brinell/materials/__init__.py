@@ -8,21 +8,23 @@ Numbers are in SI units; text has its own unit, as in the case file. e is the eq
 yield stress in uniaxial tension.
 """
 
+from brinell._tables import Hardening, Softening
 from brinell.materials.curves import MeasuredCurve
-from brinell.materials.hardening import (
-    Hardening,
+from brinell.materials.hardening import Table
+from brinell.materials.laws import (
     Hollomon,
+    JohnsonCook,
     Linear,
+    LinearSoftening,
     Ludwik,
     Perfect,
     Swift,
     SwiftMicrostrain,
-    Table,
     Voce,
 )
 from brinell.materials.material import RIGID, Material
 from brinell.materials.sampling import Law
-from brinell.materials.thermal import JohnsonCook, LinearSoftening, Softening, SofteningTable, Thermal
+from brinell.materials.thermal import SofteningTable, Thermal
 
 __all__ = [
     "RIGID",

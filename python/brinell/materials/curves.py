@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brinell import _core
 from brinell._names import level_of_caller
-from brinell.bodies import Quantity
+from brinell._tables import Quantity
 from brinell.case import CaseWarning
 from brinell.errors import InputError
 from brinell.materials.hardening import Table

@@ -1,112 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hardening laws of the case file: yield stress as a function of the equivalent plastic strain."""
+"""The hardening law that is a table of points: given as points, read from a file, or sampled from a function."""
 
 from __future__ import annotations
 
 import math
 import warnings
 from collections.abc import Sequence
-from dataclasses import InitVar, dataclass, fields
+from dataclasses import InitVar, dataclass
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
 from brinell._names import level_of_caller
+from brinell._tables import Hardening, Quantity
 from brinell._toml import tomllib
 from brinell._values import plain
-from brinell.bodies import Quantity
 from brinell.case import CaseWarning
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 from brinell.materials.sampling import Law, sampled
 
-__all__ = [
-    "Hardening",
-    "Hollomon",
-    "Linear",
-    "Ludwik",
-    "Perfect",
-    "Swift",
-    "SwiftMicrostrain",
-    "Table",
-    "Voce",
-]
-
-
-class Hardening:
-    """A hardening law: the yield stress as a function of the equivalent plastic strain."""
-
-    law: ClassVar[str]
-
-    def to_case(self) -> dict[str, Any]:
-        """The table `material.hardening` of the case file."""
-        return {"law": self.law} | {field.name: plain(getattr(self, field.name)) for field in fields(self)}  # type: ignore[arg-type]
-
-
-@dataclass(frozen=True)
-class Perfect(Hardening):
-    """sigma_y(e) = yield_stress [Pa]."""
-
-    law: ClassVar[str] = "perfect"
-    yield_stress: Quantity
-
-
-@dataclass(frozen=True)
-class Linear(Hardening):
-    """sigma_y(e) = yield_stress + modulus e, both in Pa."""
-
-    law: ClassVar[str] = "linear"
-    yield_stress: Quantity
-    modulus: Quantity
-
-
-@dataclass(frozen=True)
-class Swift(Hardening):
-    """sigma_y(e) = coefficient (offset + e)^exponent (Swift 1952); coefficient in Pa."""
-
-    law: ClassVar[str] = "swift"
-    coefficient: Quantity
-    offset: float
-    exponent: float
-
-
-@dataclass(frozen=True)
-class SwiftMicrostrain(Hardening):
-    """sigma_y(e) = coefficient (offset + 1e6 e)^exponent, Swift's law in microstrain; coefficient in Pa."""
-
-    law: ClassVar[str] = "swift_microstrain"
-    coefficient: Quantity
-    offset: float
-    exponent: float
-
-
-@dataclass(frozen=True)
-class Hollomon(Hardening):
-    """sigma_y(e) = coefficient (e_0 + e)^exponent with e_0 from sigma_y(0) = yield_stress (Hollomon 1945); in Pa."""
-
-    law: ClassVar[str] = "hollomon"
-    yield_stress: Quantity
-    coefficient: Quantity
-    exponent: float
-
-
-@dataclass(frozen=True)
-class Ludwik(Hardening):
-    """sigma_y(e) = yield_stress + coefficient e^exponent (Ludwik 1909); both in Pa."""
-
-    law: ClassVar[str] = "ludwik"
-    yield_stress: Quantity
-    coefficient: Quantity
-    exponent: float
-
-
-@dataclass(frozen=True)
-class Voce(Hardening):
-    """sigma_y(e) = yield_stress + saturation (1 - exp(-rate e)) (Voce 1948); yield_stress and saturation in Pa."""
-
-    law: ClassVar[str] = "voce"
-    yield_stress: Quantity
-    saturation: Quantity
-    rate: float
+__all__ = ["Table"]
 
 
 @dataclass(frozen=True)

@@ -10,14 +10,14 @@ from functools import cached_property
 from typing import Any
 
 from brinell import _core
+from brinell._tables import Hardening, Quantity, Softening
 from brinell._values import plain
-from brinell.bodies import Quantity
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
-from brinell.materials.hardening import Hardening, Table
+from brinell.materials.hardening import Table
 from brinell.materials.profiles import Profile, columns_of, terms_of
 from brinell.materials.sampling import Law
-from brinell.materials.thermal import Softening, Thermal
+from brinell.materials.thermal import Thermal
 
 __all__ = ["RIGID", "Material"]
 

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from brinell import _core
+from brinell._tables import Quantity
 from brinell._values import plain
-from brinell.bodies import Quantity
 from brinell.errors import InputError
 
 __all__ = ["Columns", "Profile", "columns_of", "terms_of"]

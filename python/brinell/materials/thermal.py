@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Thermal constants of a material, and thermal softening of its yield stress."""
+"""Thermal constants of a material, and tabulated thermal softening of its yield stress."""
 
 from __future__ import annotations
 
@@ -9,45 +9,12 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from brinell import _core
+from brinell._tables import CaseTable, Quantity, Softening
 from brinell._values import plain
-from brinell.bodies import Quantity
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 
-__all__ = ["JohnsonCook", "LinearSoftening", "Softening", "SofteningTable", "Thermal"]
-
-
-class Softening:
-    """Thermal softening: a factor on the yield stress as a function of temperature.
-
-    The factor is at least 0.01, also above the melting temperature. Temperatures are in deg C, or text such as
-    "293.15 K". Back stresses are not softened.
-    """
-
-    law: ClassVar[str]
-
-    def to_case(self) -> dict[str, Any]:
-        """The table `material.softening` of the case file."""
-        return {"law": self.law} | {field.name: plain(getattr(self, field.name)) for field in fields(self)}  # type: ignore[arg-type]
-
-
-@dataclass(frozen=True)
-class LinearSoftening(Softening):
-    """Factor 1 up to the reference temperature, linear to 0 at the melting temperature."""
-
-    law: ClassVar[str] = "linear"
-    melting_temperature: Quantity
-    reference_temperature: Quantity = 20.0
-
-
-@dataclass(frozen=True)
-class JohnsonCook(Softening):
-    """Factor 1 - ((T - T_ref)/(T_melt - T_ref))^exponent (Johnson and Cook 1983); 1 below T_ref."""
-
-    law: ClassVar[str] = "johnson_cook"
-    melting_temperature: Quantity
-    exponent: float
-    reference_temperature: Quantity = 20.0
+__all__ = ["SofteningTable", "Thermal"]
 
 
 @dataclass(frozen=True)
@@ -69,7 +36,7 @@ class SofteningTable(Softening):
 
 
 @dataclass(frozen=True)
-class Thermal:
+class Thermal(CaseTable):
     """Thermal constants of a body.
 
     Attributes:
@@ -106,11 +73,6 @@ class Thermal:
     def diffusivity(self) -> float:
         """Thermal diffusivity K/(rho c) [m^2/s]."""
         return self._engine.diffusivity
-
-    def to_case(self) -> dict[str, Any]:
-        """The table `material.thermal` of the case file."""
-        table: dict[str, Any] = plain({field.name: getattr(self, field.name) for field in fields(self)})
-        return table
 
     @cached_property
     def _engine(self) -> _core.Thermal:

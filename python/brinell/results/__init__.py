@@ -29,10 +29,8 @@ from brinell.results.points import PointHistory
 from brinell.results.run import Run
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
 from brinell.scenarios import Scenario
-from brinell.scenarios.fretting import FrettingCycle
-from brinell.scenarios.indentation import Indent
-from brinell.scenarios.rolling import RollingPass, TrackProfile
-from brinell.scenarios.sliding import SlidingStroke
+from brinell.scenarios.lists import FrettingCycle, Indent, RollingPass, SlidingStroke
+from brinell.scenarios.rolling import TrackProfile
 from brinell.summary import CriticalValues
 
 __all__ = [

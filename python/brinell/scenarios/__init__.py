@@ -14,12 +14,8 @@ from collections.abc import Mapping
 from typing import Literal
 
 from brinell.scenarios import fretting, indentation, rolling, sliding, tugging
-from brinell.scenarios.fretting import Fretting
-from brinell.scenarios.indentation import Indentation
-from brinell.scenarios.rolling import Rolling
-from brinell.scenarios.sliding import Sliding
+from brinell.scenarios.cases import Fretting, Indentation, Rolling, Sliding, Tugging
 from brinell.scenarios.traits import Traits
-from brinell.scenarios.tugging import Tugging
 
 __all__ = ["Fretting", "Indentation", "Rolling", "Sliding", "Tugging"]
 

@@ -30,34 +30,27 @@ class ScenarioCase(Case):
         "output": Output,
     }
 
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        table: Mapping[str, Any],
-        *,
-        title: str | None,
-        grid: Grid | Mapping[str, Any] | None,
-        solver: Solver | Mapping[str, Any] | None,
-        output: Output | Mapping[str, Any] | None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-    ):
-        for name, body in (("lower", lower), ("upper", upper)):
-            if not isinstance(body, Body):
+    def __init__(self, arguments: Mapping[str, Any]):
+        """Makes a case.
+
+        Args:
+            arguments: those of the constructor of the scenario, which may be all of its local variables: bodies, title,
+                settings, and the keys of the scenario's own table.
+        """
+        for name in ("lower", "upper"):
+            if not isinstance(body := arguments[name], Body):
                 raise InputError(f"{name} = {body!r}; allowed: a brinell.Body")
-        parts = {"interface": interface, "thermal": thermal, "grid": grid, "solver": solver, "output": output}
-        for name, part in parts.items():
-            kind = self._parts[name]
-            if not (part is None or isinstance(part, kind | Mapping)):
+        for name, kind in self._parts.items():
+            if not isinstance(part := arguments.get(name), kind | Mapping | None):
                 raise InputError(f"{name} = {part!r}; allowed: a brinell.{kind.__name__}, a dictionary, or None")
+        known = {"self", "title", "lower", "upper", *self._parts}
         values = {
             "scenario": self._table,
-            "title": title,
-            "lower": lower.parts(),
-            "upper": upper.parts(),
-            self._table: table,
-            **parts,
+            "title": arguments["title"],
+            "lower": arguments["lower"].parts(),
+            "upper": arguments["upper"].parts(),
+            self._table: {name: value for name, value in arguments.items() if name not in known},
+            **{name: arguments.get(name) for name in self._parts},
         }
         try:
             maps: HeightMaps = {}

@@ -1,126 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario fretting: case class, results, key numbers and figures."""
+"""The scenario fretting: results, key numbers and figures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
+from brinell.scenarios.lists import FrettingCycle
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run, Snapshot
 
-__all__ = ["TRAITS", "Fretting", "FrettingCycle", "FrettingResult"]
-
-
-class Fretting(ScenarioCase):
-    """The upper body is pressed on the lower one and oscillates tangentially with a small amplitude (partial slip)."""
-
-    _table = "fretting"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        *,
-        load: Quantity | None = None,
-        pressure: Quantity | None = None,
-        approach: Quantity | None = None,
-        displacement: Quantity | None = None,
-        force: Quantity | None = None,
-        direction: float | str | None = None,
-        cycles: int | None = None,
-        steps_per_cycle: int | None = None,
-        press_steps: int | None = None,
-        frequency: Quantity | None = None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; exactly one of load, pressure and approach, and one of displacement and force is given.
-
-        Args:
-            lower: the body at rest.
-            upper: the body that is pressed on the lower one and oscillates.
-            load: normal load, which is applied first and then kept constant [N].
-            pressure: mean pressure over the period, instead of a load [Pa]; for a grid with boundary="periodic".
-            approach: approach that is kept constant, instead of a load [m].
-            displacement: amplitude of the displacement of distant points of the upper body relative to those of the
-                lower one [m]. Each cycle goes from the middle to the amplitude, to its negative and back to the middle.
-            force: amplitude of the tangential force, instead of a displacement [N]; less than friction times load.
-            direction: direction of the motion, angle from x towards y, in degrees or with a unit, "1.2 rad".
-            cycles: number of cycles.
-            steps_per_cycle: number of steps per cycle, a multiple of 4.
-            press_steps: number of steps in which load or approach is applied.
-            frequency: cycles per second, such as "50 Hz"; required if friction heats the bodies.
-            interface: friction, `brinell.Interface` or a dictionary.
-            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "load": load,
-            "pressure": pressure,
-            "approach": approach,
-            "displacement": displacement,
-            "force": force,
-            "direction": direction,
-            "cycles": cycles,
-            "steps_per_cycle": steps_per_cycle,
-            "press_steps": press_steps,
-            "frequency": frequency,
-        }
-        super().__init__(
-            lower,
-            upper,
-            table,
-            title=title,
-            grid=grid,
-            solver=solver,
-            output=output,
-            interface=interface,
-            thermal=thermal,
-        )
-
-
-@dataclass(frozen=True)
-class FrettingCycle:
-    """Results of one cycle, from the middle through both turning points back to the middle."""
-
-    cycle: int
-    """Number of the cycle, from 1."""
-    work: float
-    """Work of the tangential force, the area of the hysteresis loop [J]."""
-    dissipation_friction: float
-    """Energy dissipated by friction in this cycle [J]."""
-    dissipation_plastic: float
-    """Plastic work in both bodies in this cycle [J]."""
-    max_force: float
-    """Largest magnitude of the tangential force [N]."""
-    max_displacement: float
-    """Largest magnitude of the displacement [m]."""
-    slip_amplitude: float
-    """A quarter of the largest local slip path of this cycle [m]."""
-    stick_share: float
-    """Smallest fraction of the contact area that sticks [-]."""
-    max_equivalent_plastic_strain: float
-    """Largest equivalent plastic strain of both bodies at the end of the cycle [-]."""
+__all__ = ["TRAITS", "FrettingResult"]
 
 
 class FrettingResult(RunSummary):

@@ -1,122 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario indentation: case class, results, key numbers and figures."""
+"""The scenario indentation: results, key numbers and figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
+from brinell.scenarios.lists import Indent
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run
 
-__all__ = ["TRAITS", "Indent", "Indentation", "IndentationResult"]
-
-
-class Indentation(ScenarioCase):
-    """The upper body is pressed into the lower one and lifted off again, at one place or several."""
-
-    _table = "indentation"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        *,
-        load: Quantity | Sequence[Quantity] | None = None,
-        approach: Quantity | Sequence[Quantity] | None = None,
-        pressure: Quantity | Sequence[Quantity] | None = None,
-        mean_gap: Quantity | Sequence[Quantity] | None = None,
-        normalised: bool = False,
-        steps: int | None = None,
-        cycles: int | None = None,
-        places: Quantity | Sequence[Quantity] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; exactly one of load, approach, pressure and mean_gap is given.
-
-        Args:
-            lower: the body that is indented.
-            upper: the indenter.
-            load: normal loads that are reached one after the other, starting from zero [N]: ["10 N", 0] loads and
-                unloads.
-            approach: approaches of the bodies from first touch of the undeformed smooth shapes, instead of loads [m].
-            pressure: mean pressures over the period instead of loads, on a grid that is periodic along both axes [Pa].
-            mean_gap: mean gaps over that period instead of loads [m]; a smaller gap means a higher load.
-            normalised: whether loads or approaches are given relative to their values at first yield, P_c and alpha_c.
-            steps: number of steps from one entry of the list to the next.
-            cycles: number of times the list is repeated at each place.
-            places: coordinates along x at which the body is indented one after the other [m].
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "load": load,
-            "approach": approach,
-            "pressure": pressure,
-            "mean_gap": mean_gap,
-            "normalised": normalised,
-            "steps": steps,
-            "cycles": cycles,
-            "places": places,
-        }
-        super().__init__(lower, upper, table, title=title, grid=grid, solver=solver, output=output)
-
-
-@dataclass(frozen=True)
-class Indent:
-    """Results of one loading and unloading at one place, at the largest load and where the contact opens."""
-
-    place: int
-    """Number of the place in the case, from 1."""
-    cycle: int
-    """Number of the loading cycle at this place, from 1."""
-    x: float
-    """Coordinate of the indenter's apex on the lower body [m]."""
-    max_load: float
-    """Largest load [N]."""
-    max_approach: float
-    """Approach at the largest load, from first touch of the undeformed smooth shapes [m]."""
-    contact_area: float
-    """Projected contact area at the largest load [m^2]."""
-    hardness: float
-    """Largest load over the projected contact area [Pa]."""
-    loading_stiffness: float
-    """Slope of load over approach during loading, at the largest load [N/m]; NaN if no step before it has a load."""
-    unloading_stiffness: float
-    """Slope of load over approach at the beginning of unloading [N/m]; NaN if no step after it has a load."""
-    final_approach: float
-    """Approach at which the contact opens [m]; NaN if it does not open."""
-    residual_depth: float
-    """Largest residual displacement of the lower body after unloading, positive into the body [m]."""
-    pile_up: float
-    """Largest height of the lower body's residual surface after unloading, positive outwards [m]."""
-    work: float
-    """Net work of the drive in this indent [J]."""
-    contact_fraction: float = math.nan
-    """Contact area over the area of the period at the largest load [-]; NaN unless both axes are periodic."""
-    mean_gap: float = math.nan
-    """Mean gap over the period at the largest load [m]; NaN unless both axes are periodic."""
-    contact_stiffness: float = math.nan
-    """Elastic stiffness at the largest load, change of nominal pressure over change of mean gap [Pa/m]; NaN unless both
-    axes are periodic."""
+__all__ = ["TRAITS", "IndentationResult"]
 
 
 class IndentationResult(RunSummary):

@@ -1,156 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario rolling: case class, results, key numbers and figures."""
+"""The scenario rolling: results, key numbers and figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
+from brinell.scenarios.lists import RollingPass
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import FloatArray, RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run
 
-__all__ = ["TRAITS", "Rolling", "RollingPass", "RollingResult", "TrackProfile"]
-
-
-class Rolling(ScenarioCase):
-    """The upper body, pressed on the lower one, rolls over it along x, pass after pass."""
-
-    _table = "rolling"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        distance: Quantity,
-        *,
-        load: Quantity | None = None,
-        hertz_pressure: Quantity | None = None,
-        approach: Quantity | None = None,
-        passes: int | None = None,
-        slide_to_roll: float | None = None,
-        creepage: Quantity | Sequence[Quantity] | None = None,
-        spin: Quantity | None = None,
-        shift: Quantity | None = None,
-        load_steps: int | None = None,
-        speed: Quantity | None = None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; exactly one of load, hertz_pressure and approach is given.
-
-        Args:
-            lower: the body that is rolled over.
-            upper: the rolling body.
-            distance: length of the track on the lower body [m].
-            load: normal load, constant during rolling [N].
-            hertz_pressure: peak pressure of the elastic contact that defines the load [Pa].
-            approach: approach, constant during rolling, instead of a load [m].
-            passes: number of passes over the track.
-            slide_to_roll: slide-to-roll ratio, difference over mean of the surface speeds [-]; 0: pure rolling. With
-                friction the surfaces slide everywhere.
-            creepage: longitudinal and lateral creepage, or the longitudinal one alone: relative speed of the upper
-                surface over the mean speed [-], or text such as "0.2 %"; with friction the surfaces stick and slip.
-            spin: rotation of the upper body relative to the lower one about the contact normal per distance rolled
-                [rad/m], or with a unit, "0.5 rad/mm"; with friction the surfaces stick and slip.
-            shift: distance by which the contact moves on the lower body per step [m].
-            load_steps: number of steps in which the load is applied before a pass, and removed after it.
-            speed: speed of the contact over the lower body, such as "1 m/s"; required if friction heats the bodies.
-            interface: friction, `brinell.Interface` or a dictionary.
-            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "distance": distance,
-            "load": load,
-            "hertz_pressure": hertz_pressure,
-            "approach": approach,
-            "passes": passes,
-            "slide_to_roll": slide_to_roll,
-            "creepage": creepage,
-            "spin": spin,
-            "shift": shift,
-            "load_steps": load_steps,
-            "speed": speed,
-        }
-        super().__init__(
-            lower,
-            upper,
-            table,
-            title=title,
-            grid=grid,
-            solver=solver,
-            output=output,
-            interface=interface,
-            thermal=thermal,
-        )
-
-
-@dataclass(frozen=True)
-class RollingPass:
-    """Results of one pass, under and around the middle of the track."""
-
-    pass_: int
-    """Number of the pass, from 1."""
-    rut_depth: float
-    """Residual displacement of the lower body at x = y = 0, positive into the body [m]."""
-    shoulder_height: float
-    """Largest height of the lower body's residual surface in the section x = 0, positive outwards [m]."""
-    max_equivalent_plastic_strain: float
-    """Largest equivalent plastic strain of both bodies [-]."""
-    track_plastic_strain: float
-    """Largest equivalent plastic strain of the lower body under x = y = 0 [-]."""
-    track_plastic_increment: float
-    """Largest increment of the equivalent plastic strain under x = y = 0 in this pass [-]."""
-    dissipation: float
-    """Plastic work in both bodies in this pass [J]."""
-    resistance: float
-    """Energy dissipated and locked in by both bodies per length, over the middle half of the track [N]."""
-    max_pressure: float
-    """Largest pressure, averaged over the middle half of the track [Pa]."""
-    steady: bool = False
-    """Whether the resistance is steady, so that it does not depend on the length of the track."""
-    unsteadiness: float = math.nan
-    """Difference of the resistance between the two quarters of the middle half, over the larger of them [-]; the
-    resistance counts as steady up to 0.1."""
-    mean_F_X: float = math.nan
-    """Mean F_X over the middle half of the track, positive if it resists the motion [N]."""
-    friction: float = math.nan
-    """Mean F_X over mean F_n in the middle half of the track [-]."""
-    contact_area: float = math.nan
-    """Contact area, averaged over the middle half of the track [m^2]."""
-    F_x: float = math.nan
-    """Force of the shear on the lower body along x, averaged over the last quarter of the track [N]."""
-    F_y: float = math.nan
-    """Force of the shear on the lower body along y, averaged over the last quarter of the track [N]."""
-    M_z: float = math.nan
-    """Moment of the shear about the contact normal, positive from x to y, averaged over the last quarter [N m]."""
-    stick_share: float = math.nan
-    """Fraction of the contact area that sticks, averaged over the last quarter of the track; 0 without creepage [-]."""
-    creep_steady: bool = False
-    """Whether the forces of the shear are steady, so that they are those of steady rolling."""
-    creep_unsteadiness: float = math.nan
-    """Difference of the force between both halves of the last quarter, over the larger of them [-]; the force counts as
-    steady up to 0.01."""
+__all__ = ["TRAITS", "RollingResult", "TrackProfile"]
 
 
 @dataclass(frozen=True, eq=False)

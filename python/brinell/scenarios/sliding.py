@@ -1,158 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario sliding: case class, results, key numbers and figures."""
+"""The scenario sliding: results, key numbers and figures."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
+from brinell.scenarios.lists import SlidingStroke
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run, Snapshot
 
-__all__ = ["TRAITS", "Sliding", "SlidingResult", "SlidingStroke"]
-
-
-class Sliding(ScenarioCase):
-    """The upper body is pressed on the lower one and slides over it along x, in one or several or reversing strokes."""
-
-    _table = "sliding"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        distance: Quantity,
-        *,
-        load: Quantity | None = None,
-        pressure: Quantity | None = None,
-        mean_gap: Quantity | None = None,
-        approach: Quantity | None = None,
-        strokes: int | None = None,
-        to_and_fro: bool | None = None,
-        shift: Quantity | None = None,
-        press_steps: int | None = None,
-        speed: Quantity | None = None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; exactly one of load, pressure, mean_gap and approach is given.
-
-        Args:
-            lower: the body at rest: a `Flat`, with or without a texture.
-            upper: the sliding body: also a `Flat`, on a grid that is periodic along both axes, or a ball or roller.
-            distance: sliding distance of each stroke [m].
-            load: normal load, which is applied first and kept constant while sliding [N].
-            pressure: mean pressure over the period that defines the load [Pa].
-            mean_gap: mean gap over the period between the deformed surfaces, instead of a load [m].
-            approach: approach, instead of a load [m]; it may be negative if high peaks meet during sliding.
-            strokes: number of strokes.
-            to_and_fro: whether every other stroke goes back; otherwise each stroke continues where the previous one
-                ended.
-            shift: sliding distance of a step [m].
-            press_steps: number of steps in which the bodies are pressed together before, and separated after sliding.
-            speed: speed of the upper body relative to the lower one, such as "1 m/s"; required if friction heats the
-                bodies.
-            interface: friction, `brinell.Interface` or a dictionary.
-            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "load": load,
-            "pressure": pressure,
-            "mean_gap": mean_gap,
-            "approach": approach,
-            "distance": distance,
-            "strokes": strokes,
-            "to_and_fro": to_and_fro,
-            "shift": shift,
-            "press_steps": press_steps,
-            "speed": speed,
-        }
-        super().__init__(
-            lower,
-            upper,
-            table,
-            title=title,
-            grid=grid,
-            solver=solver,
-            output=output,
-            interface=interface,
-            thermal=thermal,
-        )
-
-
-@dataclass(frozen=True)
-class SlidingStroke:
-    """Averages over one stroke, and the state of the surfaces at its end."""
-
-    stroke: int
-    """Number of the stroke, from 1."""
-    friction: float
-    """Mean F_X over mean F_n [-]."""
-    friction_ploughing: float
-    """Part of `friction` from pressure on the slopes of both surfaces (ploughing) [-]."""
-    friction_interfacial: float
-    """Part of `friction` from the shear between the surfaces [-]."""
-    mean_F_X: float
-    """Mean F_X [N]."""
-    contact_area: float
-    """Mean contact area [m^2]."""
-    max_pressure: float
-    """Mean over the stroke of the largest pressure [Pa]."""
-    dissipation_plastic: float
-    """Plastic work in both bodies in this stroke, without pressing and parting [J]."""
-    dissipation_friction: float
-    """Energy dissipated by friction in this stroke, without pressing and parting [J]."""
-    max_equivalent_plastic_strain: float
-    """Largest equivalent plastic strain of both bodies at the end of the stroke [-]."""
-    rms_height_lower: float
-    """Sq of the lower surface (texture and residual displacement, over its grid) at the end of the stroke [m]."""
-    rms_height_upper: float
-    """Sq of the upper surface at the end of the stroke [m]."""
-    mean_height_lower: float
-    """Sa of the lower surface at the end of the stroke [m]."""
-    mean_height_upper: float
-    """Sa of the upper surface at the end of the stroke [m]."""
-    contact_fraction: float = math.nan
-    """Mean contact area over the area of the period [-]; NaN unless both axes are periodic."""
-    mean_gap: float = math.nan
-    """Gap averaged over the period and the stroke [m]; NaN unless both axes are periodic."""
-    patches: float = math.nan
-    """Mean number of contact patches [-]."""
-    largest_patch: float = math.nan
-    """Mean area of the largest patch [m^2]."""
-    core_height_lower: float = math.nan
-    """Sk of the lower surface, the core height of the bearing-area curve, at the end of the stroke [m]."""
-    core_height_upper: float = math.nan
-    """Sk of the upper surface at the end of the stroke [m]."""
-    peak_height_lower: float = math.nan
-    """Spk of the lower surface, the reduced peak height, at the end of the stroke [m]."""
-    peak_height_upper: float = math.nan
-    """Spk of the upper surface at the end of the stroke [m]."""
-    valley_depth_lower: float = math.nan
-    """Svk of the lower surface, the reduced valley depth, at the end of the stroke [m]."""
-    valley_depth_upper: float = math.nan
-    """Svk of the upper surface at the end of the stroke [m]."""
+__all__ = ["TRAITS", "SlidingResult"]
 
 
 class SlidingResult(RunSummary):

@@ -1,99 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scenario tugging: case class, results, key numbers and figures."""
+"""The scenario tugging: results, key numbers and figures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from brinell.bodies import Body, Quantity
-from brinell.scenarios._case import ScenarioCase
 from brinell.scenarios.traits import Drawing, Drawings, KeyNumber, Traits
-from brinell.settings import Grid, Heating, Interface, Output, Solver
 from brinell.summary import RunSummary
 
 if TYPE_CHECKING:
     from brinell.plot.history import Panel
     from brinell.results import Run, Snapshot
 
-__all__ = ["TRAITS", "Tugging", "TuggingResult"]
-
-
-class Tugging(ScenarioCase):
-    """Two asperities slide past each other with interference and deform each other."""
-
-    _table = "tugging"
-
-    def __init__(
-        self,
-        lower: Body,
-        upper: Body,
-        interference: Quantity | None = None,
-        *,
-        offset: Quantity | None = None,
-        load: Quantity | None = None,
-        normalised: bool = True,
-        passes: int | None = None,
-        shift: Quantity | None = None,
-        kinematics: str | None = None,
-        speed: Quantity | None = None,
-        interface: Interface | Mapping[str, Any] | None = None,
-        thermal: Heating | Mapping[str, Any] | None = None,
-        title: str | None = None,
-        grid: Grid | Mapping[str, Any] | None = None,
-        solver: Solver | Mapping[str, Any] | None = None,
-        output: Output | Mapping[str, Any] | None = None,
-    ):
-        """Makes a case; either an interference or a load is given.
-
-        Args:
-            lower: the body at rest; its shape is a `Sphere`, `Ellipsoid` or `Cylinder`.
-            upper: the moving body, with one of the same shapes.
-            interference: overlap in height of the undeformed bodies, without textures, when their centres are aligned
-                along x; as a multiple of the critical interference alpha_c, or a length if not normalised. Without an
-                offset it is the largest overlap.
-            offset: distance along y of the upper centre from the lower one, which reduces the overlap by
-                offset^2 / (2 (R1 + R2)); as a multiple of the contact radius a_c at first yield, or a length if not
-                normalised. Not allowed with a load.
-            load: constant normal force instead of an interference; as a multiple of the critical load P_c, or a force
-                if not normalised.
-            normalised: whether interference, offset and load are relative to their values at first yield.
-            passes: number of passes of the upper body.
-            shift: arc length by which the contact moves on each body per step [m].
-            kinematics: "exact" or "paper".
-            speed: speed of the upper surface relative to the lower one, such as "1 m/s"; required if friction heats the
-                bodies.
-            interface: friction, `brinell.Interface` or a dictionary.
-            thermal: effects of frictional heat, `brinell.Heating` or a dictionary.
-            title: title of the case, copied into the results.
-            grid: grid settings, `brinell.Grid` or a dictionary.
-            solver: solver settings, `brinell.Solver` or a dictionary.
-            output: stored results, `brinell.Output` or a dictionary.
-
-        Raises:
-            InputError: the case is invalid; the message lists all problems found.
-        """
-        table = {
-            "interference": interference,
-            "offset": offset,
-            "load": load,
-            "normalised": normalised,
-            "passes": passes,
-            "shift": shift,
-            "kinematics": kinematics,
-            "speed": speed,
-        }
-        super().__init__(
-            lower,
-            upper,
-            table,
-            title=title,
-            grid=grid,
-            solver=solver,
-            output=output,
-            interface=interface,
-            thermal=thermal,
-        )
+__all__ = ["TRAITS", "TuggingResult"]
 
 
 class TuggingResult(RunSummary):

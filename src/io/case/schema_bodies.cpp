@@ -23,10 +23,13 @@ Entries shape_entries(const std::string& table)
           {.key = "type",
            .choices = names_of(shape_options()),
            .required = true,
-           .text = "Shape of the body near the contact. Shapes are described near their apex: a sphere is the "
-                   "paraboloid r^2/(2 R). cylinder: axis along y; vickers, berkovich: pyramids of four faces at 68 and "
-                   "three at 65.27 degrees to the axis, one of them facing x. Tugging allows only shapes that can pass "
-                   "each other: sphere, ellipsoid, cylinder."},
+           .text = "Shape of the body near the contact, as seen from its apex. sphere: the paraboloid r^2/(2 "
+                   "radius), a share of about (r/(2 radius))^2 lower than a sphere, 1 % at r = 0.2 radius; "
+                   "ellipsoid: two radii of curvature at the apex, in the planes xz and yz; cylinder: a roller with "
+                   "its axis along y and plane ends; cone: straight flanks, and a tip that may be rounded; vickers: "
+                   "a pyramid of four faces at 68 degrees to the axis, one of them facing x; berkovich: a pyramid "
+                   "of three faces at 65.27 degrees to the axis, one of them facing x; flat: a plane. Tugging "
+                   "allows only shapes that can pass each other: sphere, ellipsoid and cylinder."},
           length("radius", "Radius of the sphere or cylinder."),
           radius("radius_x", "Radius of curvature at the apex in the plane x z; negative for a concave surface, such "
                              "as a raceway along its track. The gap between both bodies must be convex."),
@@ -179,14 +182,14 @@ Entries texture_entries(const std::string& table)
                 .choices = names_of(texture_options()),
                 .fallback = "smooth",
                 .text =
-                    "Texture of the surface, fixed to the material. dent: depth 10^(-10 (r/w)^2) cos(2 pi r/w) "
-                    "with w = 4 edge_radius, with a shoulder; bump: the same upwards; height_map: measured heights, or "
-                    "those of a "
-                    "function of x and y; sinusoid: waves with the height amplitude cos(2 pi (X - x)/wavelength_x) "
-                    "cos(2 pi (Y - y)/wavelength_y) at X, Y; random: Gaussian self-affine roughness, with a power "
-                    "spectral density that is constant for wavelengths above rolloff and falls as q^(-2 (1 + hurst)) "
-                    "from there to cutoff. Several textures add up; give them as repeated tables [[lower.texture]] or "
-                    "as a list; --set then names one as lower.texture[0].type."},
+                    "Texture of the surface, fixed to the material. dent: a dent with a raised shoulder, depth "
+                    "10^(-10 (r/w)^2) cos(2 pi r/w) with w = 4 edge_radius; bump: a dent upwards; height_map: "
+                    "measured heights, or those of a function of x and y; sinusoid: waves, amplitude cos(2 pi (X - "
+                    "x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at X, Y; random: Gaussian roughness, isotropic "
+                    "and self-affine, with a power spectral density that is constant for wavelengths above rolloff, "
+                    "falls as q^(-2 (1 + hurst)) with the wavenumber q from there to cutoff, and is zero for "
+                    "shorter waves. Several textures add up; give them as repeated tables [[lower.texture]] or as a "
+                    "list; --set then names one as lower.texture[0].type."},
                length("depth", "Depth of the dent's centre."),
                length("height", "Height of the bump's centre."),
                length("edge_radius",

@@ -45,11 +45,12 @@ Entries elastic_entries(const std::string& table)
                 .choices = law_names(),
                 .fallback = "none",
                 .text =
-                    "Yield stress sigma_y as a function of the equivalent plastic strain e. none: the body stays "
-                    "elastic; perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + e)^exponent; "
-                    "swift_microstrain: coefficient (offset + 1e6 e)^exponent; hollomon: coefficient (e_0 + "
-                    "e)^exponent with e_0 such that it begins at S_y; ludwik: S_y + coefficient e^exponent; voce: S_y "
-                    "+ saturation (1 - exp(-rate e)); table: linear between points, constant after the last one."},
+                    "Yield stress sigma_y as a function of the equivalent plastic strain e, with S_y = yield_stress. "
+                    "none: the body stays elastic; perfect: S_y; linear: S_y + modulus e; swift: coefficient (offset + "
+                    "e)^exponent (Swift 1952); swift_microstrain: coefficient (offset + 1e6 e)^exponent, the law of "
+                    "Swift in microstrain; hollomon: coefficient (e_0 + e)^exponent with e_0 such that it begins at "
+                    "S_y (Hollomon 1945); ludwik: S_y + coefficient e^exponent (Ludwik 1909); voce: S_y + saturation "
+                    "(1 - exp(-rate e)) (Voce 1948); table: linear between points, constant after the last one."},
            })});
 }
 
@@ -262,9 +263,10 @@ Entries softening_entries(const std::string& material, const Condition& yields)
                      .choices = {"linear", "johnson_cook", "table"},
                      .unset = "none",
                      .text = "Factor on the yield stress as a function of the temperature T: 1 up to "
-                             "reference_temperature T_r and 0 above melting_temperature T_m. linear: linear between; "
-                             "johnson_cook: 1 - ((T - T_r)/(T_m - T_r))^exponent; table: by temperature and factor. "
-                             "The factor is never below 0.01, even above the melting temperature."},
+                             "reference_temperature T_r and 0 above melting_temperature T_m. linear: linear between "
+                             "T_r and T_m; johnson_cook: 1 - ((T - T_r)/(T_m - T_r))^exponent (Johnson and Cook "
+                             "1983); table: by temperature and factor. The factor is never below 0.01, even above "
+                             "the melting temperature."},
                 }),
        in_table(table, melts,
                 {

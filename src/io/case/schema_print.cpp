@@ -48,18 +48,6 @@ std::string_view tail(std::string_view key)
   return key.find('.') == key.npos ? key : key.substr(key.find('.') + 1);
 }
 
-std::string default_text(const Entry& entry)
-{
-  if (entry.fallback)
-  {
-    std::string text = toml_text(*entry.fallback);
-    for (const auto& [scenario, value] : entry.fallback_in)
-      text += fmt::format(", in {} {}", scenario, toml_text(value));
-    return text;
-  }
-  return entry.required ? "required" : entry.unset;
-}
-
 /// Conditions and exclusions, which type and range do not express.
 std::string notes(const Entry& entry, std::string_view quote)
 {
@@ -121,6 +109,25 @@ Where it excludes a key of the file (`grid.resolution` for `grid.spacing`, `roll
 )md";
 
 } // namespace
+
+std::string default_text(const Entry& entry)
+{
+  if (entry.fallback)
+  {
+    std::string text = toml_text(*entry.fallback);
+    for (const auto& [scenario, value] : entry.fallback_in)
+      text += fmt::format(", in {} {}", scenario, toml_text(value));
+    return text;
+  }
+  return entry.required ? "required" : entry.unset;
+}
+
+std::string unit_of(const ValueKind& kind)
+{
+  if (kind.notation == Notation::angle || kind.notation == Notation::temperature)
+    return kind.notation == Notation::angle ? "degrees" : "degC";
+  return kind.dimension == dimension::none ? "" : si_unit(kind.dimension);
+}
 
 std::string Range::text() const
 {

@@ -171,7 +171,7 @@ ScenarioIo<FrettingCase> description()
 {
   return {
       .name = "fretting",
-      .text = "it is pressed on and oscillates along the surface with so small an amplitude that the surfaces stick in "
+      .text = "the upper body is pressed on the lower one and oscillates along the surface, on which it sticks in "
               "places",
       .keys = fretting_keys,
       .read = read,

@@ -183,7 +183,7 @@ ScenarioIo<IndentationCase> description()
 {
   return {
       .name = "indentation",
-      .text = "the upper body is pressed into the lower one",
+      .text = "the upper body is pressed into the lower one and lifted off again, at one place or at several",
       .keys = indentation_keys,
       .read = read,
       .half_x = &IndentationPlan::contact_radius,

@@ -236,7 +236,7 @@ ScenarioIo<RollingCase> description()
 {
   return {
       .name = "rolling",
-      .text = "it rolls over it along x under load",
+      .text = "the upper body is pressed on the lower one and rolls over it along x, pass after pass",
       .keys = rolling_keys,
       .read = read,
       .half_x = &RollingPlan::half_width_x,

@@ -141,7 +141,7 @@ ScenarioIo<SlidingCase> description()
 {
   return {
       .name = "sliding",
-      .text = "it is pressed on and slides over it along x, in one stroke, in several, or to and fro",
+      .text = "the upper body is pressed on the lower one and slides over it along x, in strokes or to and fro",
       .keys = sliding_keys,
       .read = read,
       .half_x = &SlidingPlan::half_width_x,
