@@ -6,6 +6,7 @@
 #include "footprint.hpp"
 #include "foundation/fft.hpp"
 #include "heat.hpp"
+#include "memory.hpp"
 #include "roughness.hpp"
 
 #include <algorithm>
@@ -48,14 +49,15 @@ struct Softest
   bool is_kinematic = false;
 };
 
-Softest softest(const ShapedBody& lower, const ShapedBody& upper)
+/// @param depth  at which the stress is largest [m]
+Softest softest(const ShapedBody& lower, const ShapedBody& upper, double depth)
 {
   Softest found;
   for (const ShapedBody* body : {&lower, &upper})
   {
     if (!body->material.is_plastic())
       continue;
-    const double factor = smallest_yield_factor(body->material);
+    const double factor = body->material.yield_factor.at(depth, 1.0);
     const double yield = factor * constitutive::initial_yield_stress(*body->material.hardening);
     if (!(yield < found.yield))
       continue;
@@ -64,6 +66,28 @@ Softest softest(const ShapedBody& lower, const ShapedBody& upper)
     found = {yield, later / yield - 1.0, !body->material.kinematic.empty()};
   }
   return found;
+}
+
+/// Root mean square of the slopes of a texture.
+double slope_of(const TexturePart& part)
+{
+  if (const auto* dent = std::get_if<Dent>(&part))
+    return std::abs(dent->depth) / dent->edge_radius;
+  if (const auto* map = std::get_if<HeightMap>(&part))
+    return rms_slope(*map);
+  if (const auto* waves = std::get_if<Sinusoid>(&part))
+    return std::numbers::sqrt2 * std::numbers::pi * std::abs(waves->amplitude) *
+           std::hypot(1.0 / waves->wavelength_x, 1.0 / waves->wavelength_y);
+  return std::get<RandomSurface>(part).rms_slope();
+}
+
+double slope_of(const ShapedBody& lower, const ShapedBody& upper)
+{
+  double square = 0.0;
+  for (const ShapedBody* body : {&lower, &upper})
+    for (const TexturePart& part : body->texture.parts)
+      square += std::pow(slope_of(part), 2);
+  return std::sqrt(square);
 }
 
 /// Largest slope of the shape of a tip; 0 of other shapes.
@@ -133,7 +157,20 @@ Workload workload(const Numerics& numerics, const ShapedBody& lower, const Shape
                   {"first_yield_share", plan.scales.gap > 0.0 ? plan.first_yield / plan.scales.gap : 1.0},
                   {"contact_share", plan.contact_share}};
 
-  const Softest soft = softest(lower, upper);
+  const MemoryParts memory = memory_parts(plan, lower.material, upper.material, numerics.solver, friction > 0.0 || heats ? 1 : 0,
+                                          heats ? &numerics.heat : nullptr);
+  for (const auto& [name, value] : {Factor{"m_contact", memory.contact},
+                                    {"m_operators", memory.operators},
+                                    {"m_bodies", memory.bodies},
+                                    {"m_windows", memory.windows},
+                                    {"m_heat", memory.heat},
+                                    {"m_trials", memory.trials},
+                                    {"m_output", memory.output},
+                                    {"m_checkpoint", memory.checkpoint}})
+    work.amounts.push_back({name, value});
+
+  const Softest soft = softest(lower, upper, 0.5 * half_width);
+  const double weakest = std::min(lower.material.is_plastic() ? smallest_yield_factor(lower.material) * constitutive::initial_yield_stress(*lower.material.hardening) : 1e300, upper.material.is_plastic() ? smallest_yield_factor(upper.material) * constitutive::initial_yield_stress(*upper.material.hardening) : 1e300);
   const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
   const double slope = std::max(slope_of_tip(lower.shape), slope_of_tip(upper.shape));
   const double mean_pressure_at_yield = 1.1 * soft.yield;
@@ -161,6 +198,12 @@ Workload workload(const Numerics& numerics, const ShapedBody& lower, const Shape
                   {"wear", numerics.wear.wears() ? 1.0 : 0.0},
                   {"heat", heats ? 1.0 : 0.0},
                   {"tolerance", numerics.solver.yield_tolerance},
+                  {"sticks", course.sticks ? 1.0 : 0.0},
+                  {"mobilised", course.mobilised},
+                  {"frictionless", std::sqrt(plan.first_yield / plan.scales.displacement)},
+                  {"profile", weakest / soft.yield},
+                  {"texture", 0.5 * modulus * std::numbers::sqrt2 * slope_of(lower, upper) / (1.6 * soft.yield)},
+                  {"contact_share", plan.contact_share},
                   {"depth", plan.lower.nz * plan.lower.dz / half_width}};
   return work;
 }

@@ -18,6 +18,8 @@ struct Course
   double moving = 0.0;    ///< the contact moves, or the surfaces slide, for the first time
   double again = 0.0;     ///< the same again: further cycles, passes and strokes, most of which is elastic
   double turns = 0.0;     ///< times that sliding begins or reverses, where friction is raised in increments of its own
+  double mobilised = 1.0; ///< share of the friction that acts: less where the surfaces stick
+  bool sticks = false;    ///< whether the surfaces may stick in places
   bool by_load = true;    ///< whether a load is imposed, not an approach or a mean gap
 
   [[nodiscard]] double steps() const { return loading + unloading + moving + again; }

@@ -237,6 +237,7 @@ simulation::Course course(const RollingCase& r, const RollingPlan& plan)
           .moving = static_cast<double>(plan.rolling_steps),
           .again = (r.passes - 1.0) * (plan.rolling_steps + 2.0 * r.load_steps),
           .turns = slides ? static_cast<double>(r.passes) : 0.0,
+          .sticks = r.creepage.has_value(),
           .by_load = r.drive.kind == Drive::Kind::load};
 }
 
