@@ -49,7 +49,7 @@ ROOMS = {
 ROOM_OF_HEADER = {
     "halfspace": {"surface_load": "transform"},
     "elastoplastic": {"effects": "interface", "interface": "interface", "settings": "body", "window_error": "body"},
-    "simulation": {"columns": "plan", "scenario": "plan", "scenarios": "motion", "run": "motion"},
+    "simulation": {"columns": "plan", "forecast": "plan", "scenario": "plan", "scenarios": "motion", "run": "motion"},
 }
 
 # Single headers, where a floor may use some of another floor but not all: elastic constants, but no kernels.

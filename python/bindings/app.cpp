@@ -8,6 +8,7 @@
 #include "brinell/foundation/fork.hpp"
 #include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/io/forecast.hpp"
 #include "brinell/io/history_csv.hpp"
 #include "brinell/io/printable.hpp"
 #include "brinell/io/schema.hpp"
@@ -153,6 +154,31 @@ io::HeightTables height_tables(const std::map<std::string, Input>& maps)
   return tables;
 }
 
+/// For bench/forecast.py.
+nb::dict workload(const io::Case& c)
+{
+  const auto plan = io::plan_case(c);
+  const simulation::Workload work = io::workload(c, plan);
+  const simulation::Course& course = work.course;
+  nb::dict result;
+  for (const auto& [name, steps] : {std::pair{"loading", course.loading},
+                                    {"unloading", course.unloading},
+                                    {"moving", course.moving},
+                                    {"again", course.again},
+                                    {"turns", course.turns}})
+    result[name] = steps;
+  for (const auto& [name, factors] : {std::pair{"factors", &work.factors}, {"amounts", &work.amounts}})
+  {
+    nb::dict named;
+    for (const simulation::Factor& factor : *factors)
+      named[nb::str(factor.name.data(), factor.name.size())] = factor.value;
+    result[name] = named;
+  }
+  result["can_yield"] = work.can_yield;
+  result["memory"] = std::visit([](const simulation::Plan& p) { return p.memory_bytes; }, plan);
+  return result;
+}
+
 /// Key and text of each.
 std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::Warning>& warnings)
 {
@@ -188,6 +214,7 @@ void bind_app(nb::module_& m)
       .def_prop_ro("result_warnings", [](const io::Case& c) { return pairs(io::result_warnings(c, io::plan_case(c))); })
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::printable(io::check_report(c, io::plan_case(c))); })
+      .def("workload", &workload)
       .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none())
       .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(

@@ -2,7 +2,6 @@
 #include "open_heat_memory.hpp"
 
 #include "foundation/require_size.hpp"
-#include "require_thermal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,27 +13,6 @@ namespace brinell::halfspace
 
 namespace
 {
-
-/// Distance in units of sqrt(4 kappa t) at which heat is negligible: it has decayed to e^{-9}.
-constexpr double reach = 3.0;
-
-/// Whether already the nearest images along an axis are removed on cells four times as long.
-bool begins_coarser(int cells, bool is_periodic, HeatImages images)
-{
-  return images == HeatImages::coarse && !is_periodic && is_long(cells);
-}
-
-/// Period of the memory along one axis in cells, with the padding of an open axis.
-int period(int cells, bool is_periodic, HeatImages images)
-{
-  return is_periodic ? cells : memory_length(cells, begins_coarser(cells, is_periodic, images));
-}
-
-/// Whether images lie along one axis only, so that their fields decrease with the second power of the distance.
-bool is_strip(const SurfaceGrid& grid)
-{
-  return grid.is_periodic_x() != grid.is_periodic_y();
-}
 
 /// Lagrange polynomial of node number `of`, at a depth.
 double lagrange(std::span<const DepthFactors> nodes, std::size_t of, double depth)
@@ -74,18 +52,6 @@ void add_weighted(std::span<const double> weights, std::span<const std::vector<d
   }
 }
 
-DepthWaves planned_waves(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                         double deepest)
-{
-  require_thermal(owner, thermal);
-  if (!(times.shortest_step > 0.0) || !(times.duration >= times.shortest_step) || std::isinf(times.duration))
-    throw InputError(fmt::format("{}: a shortest step of {} s in a duration of {} s; allowed: finite times above 0, "
-                                 "the duration not below the step",
-                                 owner, times.shortest_step, times.duration));
-  const double finest = std::numbers::pi * std::hypot(1.0 / grid.dx, 1.0 / grid.dy);
-  return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
-}
-
 /// Layers from the surface to a depth that no heat reaches.
 std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heated, const Thermal& thermal,
                                                         const HeatTimes& times)
@@ -96,7 +62,7 @@ std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heat
     throw InputError(
         fmt::format("ThermalField: {} layers with heat sources, each {} m thick; allowed: a finite thickness above 0",
                     heated.count, heated.thickness));
-  const double spread = reach * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
+  const double spread = reach_of_heat * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
   return std::make_shared<const LayeredConduction>(heated.count, heated.thickness,
                                                    (heated.count + 1) * heated.thickness + spread);
 }
@@ -105,14 +71,24 @@ std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heat
 
 OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
                                const HeatTimes& times, const Wanted& wanted)
-    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
-      symmetry_(wanted.symmetry), waves_(planned_waves(owner, grid, thermal, times, wanted.deepest)),
-      near_(grid, period(grid.nx, grid.is_periodic_x(), wanted.images),
-            period(grid.ny, grid.is_periodic_y(), wanted.images), thermal, waves_, surface_factors(waves_),
-            wanted.symmetry, layers_)
+    : OpenHeatMemory(grid, thermal, times, wanted, waves_of_heat(owner, grid, thermal, times, wanted.deepest))
 {
-  if (!grid.is_periodic())
-    plan_images(thermal, wanted);
+}
+
+OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
+                               const Wanted& wanted, DepthWaves waves)
+    : OpenHeatMemory(grid, thermal, times, wanted, waves,
+                     ImagesOfHeat(grid, thermal, times.duration, wanted.images, waves.has_fields))
+{
+}
+
+OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
+                               const Wanted& wanted, DepthWaves waves, const ImagesOfHeat& images)
+    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
+      symmetry_(wanted.symmetry), waves_(std::move(waves)),
+      near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), wanted.symmetry, layers_)
+{
+  plan_images(thermal, wanted, images);
   // Images are at least as far away as the grid is wide. For layers down to that depth, seven points have an error of 1e-4 of the
   // fields of the images; five points, about 1e-3.
   const int points = wanted.images == HeatImages::coarse ? 5 : 7;
@@ -122,42 +98,23 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
   image_depths_ = depth_factors(waves_, nodes);
 }
 
-void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted)
+void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted, const ImagesOfHeat& images)
 {
   const SurfaceGrid& grid = near_.grid();
-  const int px = near_.period_x(), py = near_.period_y();
-  // The shortest distance from the grid to one of its images.
-  double clear = std::numeric_limits<double>::infinity();
-  if (!grid.is_periodic_x())
-    clear = std::min(clear, (px - grid.nx) * grid.dx);
-  if (!grid.is_periodic_y())
-    clear = std::min(clear, (py - grid.ny) * grid.dy);
-  // The temperature is negligible beyond the reach of the heat. Displacement and stress decrease only with a power of the
-  // distance; from twice that distance on, the contributions of further lattices are a geometric series: see `add_images`.
-  const double spread = reach * std::sqrt(4.0 * thermal.diffusivity() * times_.duration);
-  const double farther = is_strip(grid) ? 4.0 : 2.0;
-  const double end = waves_.has_fields ? farther * std::max(spread, 1.5 * clear) : spread;
-  // Waves in depth that decay before heat arrives from the images do not contribute to the temperature by the images, and little
-  // to the stress, because that heat remains near the surface.
-  const double decayed = waves_.has_fields ? 600.0 : 2.0 * reach * reach;
-  const bool x_is_coarser = begins_coarser(grid.nx, grid.is_periodic_x(), wanted.images),
-             y_is_coarser = begins_coarser(grid.ny, grid.is_periodic_y(), wanted.images);
-  if (clear < end && (x_is_coarser || y_is_coarser))
-    farther_.push_back({CoarserSurface(grid, {0, 0}, {x_is_coarser, y_is_coarser})});
-  const int twice_x = x_is_coarser ? px / 2 : px, twice_y = y_is_coarser ? py / 2 : py;
-  const int once_x = grid.is_periodic_x() ? px : twice_x / 2, once_y = grid.is_periodic_y() ? py : twice_y / 2;
+  if (images.nearest < images.end && (images.x_is_coarser || images.y_is_coarser))
+    farther_.push_back({CoarserSurface(grid, {0, 0}, {images.x_is_coarser, images.y_is_coarser})});
   const DepthFactors surface = surface_factors(waves_);
-  for (double distance = clear; distance < end; distance *= 2.0)
+  for (double distance = images.nearest; distance < images.end; distance *= 2.0)
   {
     const CoarserSurface cells =
         farther_.empty() ? CoarserSurface(grid, 0)
                          : CoarserSurface(farther_.back().cells.grid(), farther_.back().cells.margins(), {true, true});
-    const DepthWaves slow = waves_.slower_than(decayed / distance);
+    const DepthWaves slow = waves_.slower_than(images.decayed / distance);
     const auto layers = wanted.images == HeatImages::coarse ? layers_for_images(layers_, distance) : layers_;
+    const auto memory = [&](int px, int py)
+    { return HeatMemory(cells.grid(), px, py, thermal, slow, surface, wanted.symmetry, layers); };
     farther_.push_back(
-        {cells,
-         Lattices{HeatMemory(cells.grid(), twice_x, twice_y, thermal, slow, surface, wanted.symmetry, layers),
-                  HeatMemory(cells.grid(), once_x, once_y, thermal, slow, surface, wanted.symmetry, layers), layers}});
+        {cells, Lattices{memory(images.twice_x, images.twice_y), memory(images.once_x, images.once_y), layers}});
   }
 }
 

@@ -5,6 +5,7 @@
 #include "brinell/halfspace/thermal_field.hpp"
 #include "halfspace/transform/coarser_surface.hpp"
 #include "heat_memory.hpp"
+#include "images_of_heat.hpp"
 
 #include <functional>
 #include <memory>
@@ -21,14 +22,7 @@ namespace brinell::halfspace
 class OpenHeatMemory
 {
 public:
-  /// Requirements beyond the temperature of the surface.
-  struct Wanted
-  {
-    double deepest = -1.0; ///< largest depth of fields in the body [m]; negative: no fields in the body
-    HeatImages images = HeatImages::fine;
-    Symmetry symmetry = Symmetry::none; ///< of all fluxes
-    HeatedLayers heated{};              ///< layers of the body in which heat may be generated
-  };
+  using Wanted = WantedOfHeat;
   /// @throws InputError if a constant or a time is not above 0
   OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                  const Wanted& wanted);
@@ -70,6 +64,10 @@ public:
   void exchange(Archive& archive);
 
 private:
+  OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times, const Wanted& wanted,
+                 DepthWaves waves);
+  OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times, const Wanted& wanted,
+                 DepthWaves waves, const ImagesOfHeat& images);
   /// Two lattices whose difference removes the images that the lattice `once` has but the lattice with twice the period has not;
   /// on cells that are as coarse as the distance of these images allows.
   struct Lattices
@@ -90,7 +88,7 @@ private:
   [[nodiscard]] std::vector<HeatMemory*> lattices();
   void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
                   const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const;
-  void plan_images(const Thermal& thermal, const Wanted& wanted);
+  void plan_images(const Thermal& thermal, const Wanted& wanted, const ImagesOfHeat& images);
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
 

@@ -168,7 +168,7 @@ namespace
 simulation::Work work_of(const auto& scenario, const auto& plan)
 {
   constexpr double hard = 3.0;
-  simulation::Work work = io_of(scenario).work;
+  simulation::Work work;
   const auto is_sharp = [](const simulation::ShapedBody& body)
   {
     return std::holds_alternative<simulation::Cone>(body.shape) ||

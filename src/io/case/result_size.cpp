@@ -143,6 +143,11 @@ StoredParts stored_parts(const Case& c, const ScenarioPlan& plan)
   return found != possible.end() ? *found : possible.back();
 }
 
+double stored_states(const Case& c, const ScenarioPlan& plan)
+{
+  return stored_steps(c, plan) + 1.0;
+}
+
 double result_bytes(const Case& c, const ScenarioPlan& plan)
 {
   return bytes_of(c, plan, stored_parts(c, plan));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "description.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -164,6 +165,22 @@ void cite(Sources& sources, const FrettingCase&)
   sources.add("johnson1985", "contacts that stick in places");
 }
 
+simulation::Course course(const FrettingCase& f, const FrettingPlan& plan)
+{
+  const auto cycle = static_cast<double>(f.steps_per_cycle);
+  double mobilised = f.friction.coefficient > 0.0 ? 1.0 : 0.0;
+  if (f.kind == FrettingCase::Kind::force && f.press.kind == Drive::Kind::load)
+    mobilised = f.amplitude / (f.friction.coefficient * f.press.value);
+  else if (f.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0)
+    mobilised = std::min(1.0, f.amplitude / plan.sliding_displacement);
+  return {.loading = static_cast<double>(f.press_steps),
+          .moving = f.cycles > 0 ? cycle : 0.0,
+          .again = std::max(0.0, (f.cycles - 1.0) * cycle),
+          .mobilised = mobilised,
+          .sticks = true,
+          .by_load = f.press.kind == Drive::Kind::load};
+}
+
 } // namespace
 
 template <>
@@ -180,6 +197,7 @@ ScenarioIo<FrettingCase> description()
       .moves = false,
       .speed = "frequency",
       .motion = motion,
+      .course = course,
       .is_key_step = is_key_step,
       .key_steps = [](const FrettingCase& f, const FrettingPlan&) { return 1.0 + 3.0 * f.cycles; },
       .aligned = "in fretting the turns and the ends of the cycles",

@@ -2,6 +2,7 @@
 #include "description.hpp"
 
 #include <cmath>
+#include <limits>
 
 /// Keys, texts and results of the scenario indentation.
 namespace brinell::io
@@ -176,6 +177,22 @@ void summarise(Json& json, const Case& c, const IndentationCase& /*i*/, const In
     json["normalised"].push_back(normalised_indent_json(c, indent));
 }
 
+simulation::Course course(const IndentationCase& i, const IndentationPlan& plan)
+{
+  const Drive::Kind kind = i.sequence.front().kind;
+  const auto pressed = [&](double value) { return kind == Drive::Kind::mean_gap ? -value : value; };
+  simulation::Course course{.by_load = kind == Drive::Kind::load};
+  const auto places = static_cast<double>(i.places.size());
+  double before = kind == Drive::Kind::mean_gap ? -std::numeric_limits<double>::infinity() : 0.0;
+  for (const Drive& drive : i.sequence)
+  {
+    (pressed(drive.value) > before ? course.loading : course.unloading) += places * i.steps;
+    before = pressed(drive.value);
+  }
+  course.again = plan.steps - course.loading - course.unloading;
+  return course;
+}
+
 } // namespace
 
 template <>
@@ -190,6 +207,7 @@ ScenarioIo<IndentationCase> description()
       .half_y = &IndentationPlan::contact_radius_y,
       .moves = false,
       .motion = motion,
+      .course = course,
       .is_key_step = [](const IndentationCase& i, const IndentationRecord& record, NearestToMiddle&)
       { return (record.step + 1) % i.steps == 0; },
       .key_steps = [](const IndentationCase& i, const IndentationPlan& plan) { return plan.steps / double(i.steps); },

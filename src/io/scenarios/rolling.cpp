@@ -229,6 +229,18 @@ void cite(Sources& sources, const RollingCase& r)
     sources.add("kalker1967", "rolling with creepage and spin: stick and slip");
 }
 
+simulation::Course course(const RollingCase& r, const RollingPlan& plan)
+{
+  const bool slides = r.friction.coefficient > 0.0 && r.slide_to_roll != 0.0;
+  return {.loading = static_cast<double>(r.load_steps),
+          .unloading = static_cast<double>(r.load_steps),
+          .moving = static_cast<double>(plan.rolling_steps),
+          .again = (r.passes - 1.0) * (plan.rolling_steps + 2.0 * r.load_steps),
+          .turns = slides ? static_cast<double>(r.passes) : 0.0,
+          .sticks = r.creepage.has_value(),
+          .by_load = r.drive.kind == Drive::Kind::load};
+}
+
 } // namespace
 
 template <>
@@ -242,7 +254,7 @@ ScenarioIo<RollingCase> description()
       .half_x = &RollingPlan::half_width_x,
       .half_y = &RollingPlan::half_width_y,
       .motion = motion,
-      .work = {.evaluations = 4.0},
+      .course = course,
       .is_key_step = [](const RollingCase&, const RollingRecord& record, NearestToMiddle& middle)
       { return middle(record.pass, record.x); },
       .key_steps = [](const RollingCase& r, const RollingPlan&) { return double(r.passes); },

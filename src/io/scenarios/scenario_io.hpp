@@ -5,6 +5,7 @@
 #include "brinell/io/history_csv.hpp"
 #include "brinell/io/snapshot_choice.hpp"
 #include "brinell/simulation/estimates.hpp"
+#include "brinell/simulation/forecast.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -49,7 +50,7 @@ struct ScenarioIo
   std::string (*drive)(const ScenarioCase& scenario) = [](const ScenarioCase&) { return std::string(); };
   std::string (*drive_at_yield)(const ScenarioCase& scenario, const reference::CriticalValues& critical) =
       [](const ScenarioCase&, const reference::CriticalValues&) { return std::string(); };
-  simulation::Work work{};
+  simulation::Course (*course)(const ScenarioCase& scenario, const Plan& plan); ///< on which the time depends
 
   // --- Steps and results ---
   bool (*is_key_step)(const ScenarioCase& scenario, const Record& record, NearestToMiddle& middle); ///< "aligned"

@@ -134,6 +134,18 @@ void cite(Sources& sources, const SlidingCase&)
   sources.add("boucly2006", "sliding: both surfaces and their strain are carried past each other");
 }
 
+simulation::Course course(const SlidingCase& s, const SlidingPlan& plan)
+{
+  const bool repeats = s.to_and_fro || s.domain.x.is_periodic();
+  const double first = repeats ? plan.sliding_steps : static_cast<double>(s.strokes) * plan.sliding_steps;
+  return {.loading = static_cast<double>(s.press_steps),
+          .unloading = static_cast<double>(s.press_steps),
+          .moving = first,
+          .again = static_cast<double>(s.strokes) * plan.sliding_steps - first,
+          .turns = s.friction.coefficient > 0.0 ? (s.to_and_fro ? static_cast<double>(s.strokes) : 1.0) : 0.0,
+          .by_load = s.press.kind == Drive::Kind::load};
+}
+
 } // namespace
 
 template <>
@@ -148,6 +160,7 @@ ScenarioIo<SlidingCase> description()
       .half_y = &SlidingPlan::half_width_y,
       .moves = false,
       .motion = motion,
+      .course = course,
       .is_key_step = is_key_step,
       .key_steps = [](const SlidingCase& s, const SlidingPlan&) { return 1.0 + s.strokes; },
       .aligned = "in sliding when the bodies are pressed together, and in the middle of each stroke",

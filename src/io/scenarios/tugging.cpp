@@ -252,6 +252,12 @@ void cite(Sources& sources, const TuggingCase& t)
     sources.add("boucly2006", "kinematics of Eqs. 9 to 13");
 }
 
+simulation::Course course(const TuggingCase& t, const TuggingPlan& plan)
+{
+  const double pass = plan.steps_per_pass + 1.0;
+  return {.moving = pass, .again = (t.passes - 1.0) * pass, .by_load = t.load.has_value()};
+}
+
 } // namespace
 
 template <>
@@ -268,7 +274,7 @@ ScenarioIo<TuggingCase> description()
       .motion = motion,
       .drive = drive,
       .drive_at_yield = drive_at_yield,
-      .work = {.evaluations = 12.0, .yields_along_the_track = false}, // much of the track is still elastic
+      .course = course,
       .is_key_step = [](const TuggingCase&, const TuggingRecord& record, NearestToMiddle& middle)
       { return middle(record.pass, record.X); },
       .key_steps = [](const TuggingCase& t, const TuggingPlan&) { return double(t.passes); },

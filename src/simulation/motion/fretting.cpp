@@ -24,7 +24,8 @@ class Fretting
 {
 public:
   Fretting(const FrettingCase& fretting, const FrettingPlan& plan)
-      : case_(fretting), steps_(plan.steps), cos_(std::cos(fretting.direction)), sin_(std::sin(fretting.direction))
+      : case_(fretting), steps_(plan.steps), heat_times_(plan.heat_times), cos_(std::cos(fretting.direction)),
+        sin_(std::sin(fretting.direction))
   {
     // Makes right angles exact in spite of the rounding of pi.
     for (double* part : {&cos_, &sin_})
@@ -37,7 +38,7 @@ public:
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
     setup.sliding = {.friction = case_.friction, .sticks = true, .effects = case_};
     if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, heat_times()};
+      setup.sliding.heat = {case_.heat, heat_times_};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return {}; }
@@ -175,7 +176,6 @@ private:
   {
     return case_.frequency ? steps / (case_.steps_per_cycle * *case_.frequency) : 0.0;
   }
-  [[nodiscard]] halfspace::HeatTimes heat_times() const { return {time(0.5 * finest), time(steps_ + 1.0)}; }
   [[nodiscard]] bool by_load() const { return case_.press.kind == Drive::Kind::load; }
   [[nodiscard]] bool by_force() const { return case_.kind == FrettingCase::Kind::force; }
   /// Number of the cycle of the current step; 0 while pressing.
@@ -245,6 +245,7 @@ private:
 
   const FrettingCase& case_;
   int steps_; ///< number of steps of the run
+  halfspace::HeatTimes heat_times_;
   double cos_, sin_;
   double from_ = 0.0; ///< load or approach at the start
   DriveState previous_;

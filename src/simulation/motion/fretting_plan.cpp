@@ -127,6 +127,13 @@ double sliding_displacement(const FrettingCase& fretting, double approach)
   return 0.25 * fretting.friction.coefficient * approach * modulus * compliance;
 }
 
+halfspace::HeatTimes heat_times(const FrettingCase& fretting, const FrettingPlan& plan)
+{
+  constexpr double finest = 1.0 / 64; // share of a step: the shortest piece of a step that does not converge
+  const double steps_per_second = fretting.steps_per_cycle * fretting.frequency.value();
+  return {0.5 * finest / steps_per_second, (plan.steps + 1.0) / steps_per_second};
+}
+
 /// Whether the upper body is always the mirror image in x of the lower one: both move in opposite directions along x under a
 /// pressure that is even in x.
 bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
@@ -170,6 +177,8 @@ FrettingPlan plan(const FrettingCase& fretting)
                           "fretting.cycles");
   plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
   const bool heats = is_heated(fretting, fretting.lower, fretting.upper);
+  if (heats)
+    plan.heat_times = heat_times(fretting, plan);
   const int shears = fretting.friction.coefficient > 0.0 ? 2 : (heats ? 1 : 0);
   plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver, shears,
                                    heats ? &fretting.heat : nullptr);

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "rolling_plan.hpp"
 #include "run_state.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/heat.hpp"
@@ -40,7 +41,7 @@ public:
                      .sticks = case_.creepage.has_value(),
                      .effects = case_};
     if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, heat_times()};
+      setup.sliding.heat = {case_.heat, plan_.heat_times};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(previous_.x); }
@@ -200,12 +201,6 @@ private:
     r.stick_area = r.stick_share * r.contact_area;
     r.slip_path = *std::max_element(slip->path().begin(), slip->path().end());
   }
-  /// Distance that the contact rolls in the time of a step of pressing on or lifting off [m]. With creepage both take at least as
-  /// long as the contact rolls over its own length, whatever the cells: what the shear has stored becomes heat in this time.
-  [[nodiscard]] double way_of_load_step() const
-  {
-    return case_.creepage ? std::max(plan_.shift, 2.0 * plan_.half_width_x / case_.load_steps) : plan_.shift;
-  }
   /// Time since the start after a number of steps of a pass [s]; 0 without a speed. The way back belongs to the last step, in
   /// which the surfaces part.
   [[nodiscard]] double time(double steps) const
@@ -214,26 +209,15 @@ private:
       return 0.0;
     const double rolled = std::clamp(steps - case_.load_steps, 0.0, static_cast<double>(plan_.rolling_steps));
     const double last = std::max(0.0, steps - (steps_per_pass() - 1.0));
-    return (pass_ * way_of_pass() + (steps - rolled) * way_of_load_step() +
+    return (pass_ * way_of_pass(case_, plan_) + (steps - rolled) * way_of_load_step(case_, plan_) +
             (rolled + last * plan_.rolling_steps) * plan_.shift) /
            *case_.speed;
-  }
-  /// Distance that the contact rolls in the time of a pass with its way back [m].
-  [[nodiscard]] double way_of_pass() const
-  {
-    return 2.0 * (case_.load_steps * way_of_load_step() + plan_.rolling_steps * plan_.shift);
   }
   /// Sliding distance of the undeformed surfaces since the start after a number of steps of a pass [m].
   [[nodiscard]] double slid(double steps) const
   {
     const double rolled = std::clamp(steps - case_.load_steps, 0.0, static_cast<double>(plan_.rolling_steps));
     return std::abs(1.0 - share_) * plan_.shift * (pass_ * static_cast<double>(plan_.rolling_steps) + rolled);
-  }
-  [[nodiscard]] halfspace::HeatTimes heat_times() const
-  {
-    constexpr double finest = 1.0 / 128; // share of a step: half the shortest piece while pressing
-    const double shortest = plan_.shift * std::min(finest, 0.25 * plan_.contact.dx / plan_.shift);
-    return {shortest / *case_.speed, (case_.passes * way_of_pass() + plan_.shift) / *case_.speed};
   }
   [[nodiscard]] int steps_per_pass() const { return 2 * case_.load_steps + plan_.rolling_steps; }
   [[nodiscard]] Centre centre(double x) const { return {x, share_ * x}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/simulation/rolling.hpp"
+#include "rolling_plan.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "simulation/plan/domain.hpp"
@@ -81,7 +81,25 @@ double whole_shift(double shift, double cell)
   return whole * cell;
 }
 
+halfspace::HeatTimes heat_times(const RollingCase& rolling, const RollingPlan& plan)
+{
+  constexpr double finest = 1.0 / 128; // share of a step: half the shortest piece while pressing
+  const double shortest = plan.shift * std::min(finest, 0.25 * plan.contact.dx / plan.shift);
+  return {shortest / rolling.speed.value(),
+          (rolling.passes * way_of_pass(rolling, plan) + plan.shift) / rolling.speed.value()};
+}
+
 } // namespace
+
+double way_of_load_step(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return rolling.creepage ? std::max(plan.shift, 2.0 * plan.half_width_x / rolling.load_steps) : plan.shift;
+}
+
+double way_of_pass(const RollingCase& rolling, const RollingPlan& plan)
+{
+  return 2.0 * (rolling.load_steps * way_of_load_step(rolling, plan) + plan.rolling_steps * plan.shift);
+}
 
 double upper_share(const RollingCase& rolling)
 {
@@ -128,6 +146,8 @@ RollingPlan plan(const RollingCase& rolling)
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
+  if (heats)
+    plan.heat_times = heat_times(rolling, plan);
   const int shears = rolling.friction.coefficient > 0.0 || heats ? (rolling.creepage ? 2 : 1) : 0;
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
                                    heats ? &rolling.heat : nullptr);

@@ -39,7 +39,7 @@ public:
     Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(0.0));
     setup.sliding = {.friction = case_.friction, .effects = case_};
     if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, heat_times()};
+      setup.sliding.heat = {case_.heat, plan_.heat_times};
     return setup;
   }
   [[nodiscard]] Centre centre() const { return centre(slid(done_)); }
@@ -153,15 +153,8 @@ private:
     previous_ = {previous_.slid, approach, load, ploughing(stepper, centre(previous_.slid)) + shear, shear};
   }
 
-  static constexpr double finest_press = 1.0 / 64; ///< shortest piece of a step that does not slide
   /// Time since the start after a number of steps [s]; 0 without a speed.
   [[nodiscard]] double time(double steps) const { return case_.speed ? steps * plan_.shift / *case_.speed : 0.0; }
-  [[nodiscard]] halfspace::HeatTimes heat_times() const
-  {
-    const double finest = std::min(finest_press, 0.5 * plan_.contact.dx / plan_.shift);
-    constexpr double half = 0.5; // steps are halved until they are below 1.5 times the finest piece
-    return {half * finest * time(1.0), time(plan_.steps)};
-  }
   /// The steps [first(), last()) slide.
   [[nodiscard]] int first() const { return case_.press_steps; }
   [[nodiscard]] int last() const { return first() + case_.strokes * plan_.sliding_steps; }

@@ -124,6 +124,14 @@ void require_meeting(const SlidingCase& sliding, const SlidingPlan& plan)
                                                    value, gap));
 }
 
+halfspace::HeatTimes heat_times(const SlidingCase& sliding, const SlidingPlan& plan)
+{
+  const double step = plan.shift / sliding.speed.value();
+  const double finest = std::min(finest_press, 0.5 * plan.contact.dx / plan.shift);
+  constexpr double half = 0.5; // steps are halved until they are below 1.5 times the finest piece
+  return {half * finest * step, plan.steps * plan.shift / sliding.speed.value()};
+}
+
 } // namespace
 
 SlidingPlan plan(const SlidingCase& sliding)
@@ -154,6 +162,8 @@ SlidingPlan plan(const SlidingCase& sliding)
                           "sliding.strokes");
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
+  if (heats)
+    plan.heat_times = heat_times(sliding, plan);
   plan.memory_bytes =
       memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver,
                    sliding.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &sliding.heat : nullptr);

@@ -155,13 +155,13 @@ private:
     return {moment_.time + (p.columns - position_.columns) * second_per_column,
             moment_.slid + (sum_ - interference) * (p.theta - position_.theta)};
   }
-  /// Shortest and total durations, with a reserve for passes that take longer than those of rigid spheres.
+  /// Durations of a heated run, with those of the further steps of textured bodies.
   [[nodiscard]] halfspace::HeatTimes heat_times() const
   {
     const double step = cells_ * plan_.contact.dx / *case_.speed;
-    constexpr double reserve = 4.0, further_steps = 50.0;
-    return {step * std::min(1.0, 0.5 / cells_),
-            step * case_.passes * (reserve * (plan_.steps_per_pass + 2.0 * lead_) + further_steps)};
+    halfspace::HeatTimes times = plan_.heat_times;
+    times.duration += step * case_.passes * (reserve_of_heated_pass * 2.0 * lead_);
+    return times;
   }
 
   /// Number of steps by which textured bodies may touch earlier, and part later, than smooth ones.

@@ -191,6 +191,16 @@ bool is_mirrored(const TuggingCase& tugging, const Position& p, double cells, do
          std::abs(p.arc_lower + p.arc_upper) < rounding * dx;
 }
 
+/// Shortest and total durations, with a reserve.
+/// @param cells  by which the contact moves over both bodies together in a step
+halfspace::HeatTimes heat_times(const TuggingCase& tugging, const TuggingPlan& plan, double cells)
+{
+  const double step = cells * plan.contact.dx / tugging.speed.value();
+  constexpr double further_steps = 50.0;
+  return {step * std::min(1.0, 0.5 / cells),
+          step * tugging.passes * (reserve_of_heated_pass * plan.steps_per_pass + further_steps)};
+}
+
 double required_radius(const char* body, const Shape& shape)
 {
   const std::optional<double> radius = passing_radius(shape);
@@ -292,6 +302,8 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
+  if (heats)
+    plan.heat_times = heat_times(tugging, plan, cells);
   plan.memory_bytes =
       memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver,
                    tugging.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &tugging.heat : nullptr);

@@ -13,4 +13,7 @@ namespace brinell::simulation
 /// @throws InputError if one of them has none
 [[nodiscard]] Passing passing(const TuggingCase& tugging, double dx);
 
+/// Factor on the number of steps of a heated pass, for passes that take longer than those of rigid spheres.
+inline constexpr double reserve_of_heated_pass = 4.0;
+
 } // namespace brinell::simulation

@@ -3,8 +3,8 @@
 
 #include "elastoplastic/body/window.hpp"
 #include "foundation/fft.hpp"
+#include "halfspace/heat/images_of_heat.hpp"
 #include "halfspace/strain/half_space_memory.hpp"
-#include "halfspace/transform/coarser_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,48 +105,36 @@ double steady_heat_bytes(const VolumeGrid& grid)
 /// The thermal grid: a third longer and wider than the material grid, except along periods.
 SurfaceGrid grid_of_heat(const SurfaceGrid& body)
 {
-  constexpr double wider = 4.0 / 3.0;
+  const auto wider = [](int cells, bool is_periodic)
+  { return is_periodic ? cells : cells + 2 * static_cast<int>(std::ceil(cells / 6.0)); };
   SurfaceGrid grid = body;
-  grid.nx = static_cast<int>(body.is_periodic_x() ? body.nx : wider * body.nx);
-  grid.ny = static_cast<int>(body.is_periodic_y() ? body.ny : wider * body.ny);
+  grid.nx = wider(body.nx, body.is_periodic_x());
+  grid.ny = wider(body.ny, body.is_periodic_y());
   return grid;
 }
 
-/// Ratio of all spectra of heat to those of the first lattice. Images are subtracted on about three pairs of lattices of the
-/// slower waves; of each pair one is as large as the first lattice and one a quarter of it. With short cuts they are half as long
-/// along an open axis of many cells.
-double lattices_of_heat(const SurfaceGrid& grid, bool shortcuts)
-{
-  constexpr double pairs = 2.0; // equivalent number of pairs with as many waves as the first lattice
-  double share = grid.is_periodic() ? 0.0 : 1.0;
-  for (const auto& [cells, is_periodic] : {std::pair{grid.nx, grid.is_periodic_x()}, {grid.ny, grid.is_periodic_y()}})
-    share *= shortcuts && !is_periodic && halfspace::is_long(cells) ? 0.5 : 1.0;
-  return 1.0 + 1.25 * pairs * share;
-}
-
-/// Heat in the transient regime: about sixty waves in depth, now and before the increment (for `restore`); and, for a body that
-/// may yield, the waves of fields while they are evaluated. With symmetry half of the waves are kept. The heat of plastic work
-/// adds the layers of the body and about fifteen below: temperature now and before the increment, and source. With short cuts,
-/// lattices that subtract images merge at least two layers.
+/// Heat in the transient regime: waves in depth on all lattices, and for a body that may yield the waves of fields while they are
+/// evaluated, and the heat of plastic work that is expected and lacking.
 double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Material& material, bool of_plastic_work,
-                            bool shortcuts, Symmetry symmetry)
+                            const elastoplastic::Settings& solver, const Plan& plan)
 {
-  constexpr double waves = 60.0, copies = 2.0, copies_of_layers = 3.0, fields = 7.0,
-                   most_bytes_read = 5.0 * 1024 * 1024, expected_and_lacking = 3.0;
+  constexpr double fields = 7.0, most_bytes_read = 5.0 * 1024 * 1024, expected_and_lacking = 3.0;
   const VolumeGrid grid{grid_of_heat(volume.surface), volume.nz, volume.dz};
-  const double lattices = lattices_of_heat(grid.surface, shortcuts),
-               of_layers = 1.0 + (shortcuts ? 0.5 : 1.0) * (lattices - 1.0);
-  const double layers = of_plastic_work ? grid.nz + 15.0 : 0.0;
+  const bool is_rigid = material.elastic.is_rigid();
+  const double deepest = is_rigid ? -1.0 : (2.0 * volume.nz - 0.5) * volume.dz;
+  const double kept = halfspace::memory_of_heat(
+      grid.surface, *material.thermal, plan.heat_times,
+      {deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, plan.symmetry,
+       of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}});
   const PaddedLengths padded = padded_lengths(grid.surface);
-  const double field = (symmetry == Symmetry::none ? 1.0 : 0.5) * sizeof(double) * padded.x * padded.y;
-  const double kept = waves * lattices * copies + layers * of_layers * copies_of_layers;
+  const double field = sizeof(double) * padded.x * padded.y;
   const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;
-  return kept * field + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
+  return kept + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
 }
 
 /// Heat of a body and, if it may yield, thermal stress now and before the increment, and softening.
 double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material, const elastoplastic::Settings& solver,
-                  Symmetry symmetry, const elastoplastic::HeatSettings& heat)
+                  const Plan& plan, const elastoplastic::HeatSettings& heat)
 {
   if (!material.thermal)
     return 0.0;
@@ -154,7 +142,7 @@ double heat_bytes(const VolumeGrid& grid, const constitutive::Material& material
   if (heat.regime == elastoplastic::HeatRegime::steady)
     return steady_heat_bytes(grid) + fields;
   const bool of_plastic_work = material.is_plastic() && heat.of_plastic_work > 0.0;
-  return transient_heat_bytes(grid, material, of_plastic_work, solver.shortcuts, symmetry) + fields;
+  return transient_heat_bytes(grid, material, of_plastic_work, solver, plan) + fields;
 }
 
 /// Fields and transforms of the contact solver, and fields of its results.
@@ -168,29 +156,40 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 
 } // namespace
 
+double MemoryParts::total() const
+{
+  constexpr double program = 19e6;       // with its libraries and the writers of files
+  constexpr double fragmentation = 1.05; // unused memory between the fields
+  return program +
+         fragmentation * (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
+}
+
+MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
+                         const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
+{
+  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
+  const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
+  MemoryParts parts{.contact = contact_bytes(plan.contact, shears)};
+  for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
+  {
+    parts.output = std::max(parts.output, output_bytes(*grid, *material, shears));
+    if (grid == &plan.lower || !shares_operators)
+      parts.operators += operator_bytes(*grid, *material, shears);
+    if (has_twin && grid == &plan.upper)
+      continue;
+    parts.bodies += body_bytes(*grid, *material, shears);
+    parts.heat += heat ? heat_bytes(*grid, *material, solver, plan, *heat) : 0.0;
+    parts.trials += trial_bytes(*grid, *material, solver, plan);
+    parts.windows += window_bytes(plan, *grid, *material, solver, shears);
+    parts.checkpoint += checkpoint_bytes(*grid, *material, shears);
+  }
+  return parts;
+}
+
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
                     const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
 {
-  constexpr double program = 19e6;                              // with its libraries and the writers of files
-  const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
-  const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
-  double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
-  for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
-  {
-    output = std::max(output, output_bytes(*grid, *material, shears));
-    if (grid == &plan.lower || !shares_operators)
-      bodies += operator_bytes(*grid, *material, shears);
-    if (has_twin && grid == &plan.upper)
-      continue;
-    bodies += body_bytes(*grid, *material, shears) +
-              (heat ? heat_bytes(*grid, *material, solver, plan.symmetry, *heat) : 0.0);
-    trials += trial_bytes(*grid, *material, solver, plan);
-    bodies += window_bytes(plan, *grid, *material, solver, shears);
-    checkpoint += checkpoint_bytes(*grid, *material, shears);
-  }
-  constexpr double fragmentation = 1.05; // unused memory between the fields
-  return program +
-         fragmentation * (contact_bytes(plan.contact, shears) + bodies + std::max({trials, output, checkpoint}));
+  return memory_parts(plan, lower, upper, solver, shears, heat).total();
 }
 
 } // namespace brinell::simulation

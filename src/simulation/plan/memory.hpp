@@ -7,6 +7,26 @@
 namespace brinell::simulation
 {
 
+/// Parts of the memory of a run [bytes].
+struct MemoryParts
+{
+  double contact = 0.0;   ///< fields and transforms of the contact
+  double operators = 0.0; ///< kernels of the bodies
+  double bodies = 0.0;    ///< their states and spectra
+  double windows = 0.0;
+  double heat = 0.0;
+  // One after the other:
+  double trials = 0.0;     ///< within an increment
+  double output = 0.0;     ///< while fields are written
+  double checkpoint = 0.0; ///< while a run is resumed
+
+  [[nodiscard]] double total() const; ///< peak, with the program itself
+};
+
+[[nodiscard]] MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower,
+                                       const constitutive::Material& upper, const elastoplastic::Settings& solver,
+                                       int shears, const elastoplastic::HeatSettings* heat);
+
 /// Peak memory of a run, including the program itself [bytes].
 /// @param lower, upper  materials of the bodies
 /// @param solver        of the increments

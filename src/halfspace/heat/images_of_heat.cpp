@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "images_of_heat.hpp"
+
+#include "foundation/lanes.hpp"
+#include "halfspace/transform/coarser_surface.hpp"
+#include "require_thermal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace brinell::halfspace
+{
+
+namespace
+{
+
+/// Whether already the nearest images along an axis are removed on cells four times as long.
+bool begins_coarser(int cells, bool is_periodic, HeatImages images)
+{
+  return images == HeatImages::coarse && !is_periodic && is_long(cells);
+}
+
+/// Period of the memory along one axis in cells, with the padding of an open axis.
+int period(int cells, bool is_periodic, HeatImages images)
+{
+  return is_periodic ? cells : memory_length(cells, begins_coarser(cells, is_periodic, images));
+}
+
+} // namespace
+
+bool is_strip(const SurfaceGrid& grid)
+{
+  return grid.is_periodic_x() != grid.is_periodic_y();
+}
+
+ImagesOfHeat::ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, double duration, HeatImages images,
+                           bool has_fields)
+    : period_x(period(grid.nx, grid.is_periodic_x(), images)), period_y(period(grid.ny, grid.is_periodic_y(), images)),
+      x_is_coarser(begins_coarser(grid.nx, grid.is_periodic_x(), images)),
+      y_is_coarser(begins_coarser(grid.ny, grid.is_periodic_y(), images)),
+      twice_x(x_is_coarser ? period_x / 2 : period_x), twice_y(y_is_coarser ? period_y / 2 : period_y),
+      once_x(grid.is_periodic_x() ? period_x : twice_x / 2), once_y(grid.is_periodic_y() ? period_y : twice_y / 2)
+{
+  if (grid.is_periodic())
+    return;
+  // The shortest distance from the grid to one of its images.
+  nearest = std::numeric_limits<double>::infinity();
+  if (!grid.is_periodic_x())
+    nearest = std::min(nearest, (period_x - grid.nx) * grid.dx);
+  if (!grid.is_periodic_y())
+    nearest = std::min(nearest, (period_y - grid.ny) * grid.dy);
+  // The temperature is negligible beyond the reach of the heat. Displacement and stress decrease only with a power of the
+  // distance; from twice that distance on, the contributions of further lattices are a geometric series: see `add_images`.
+  const double spread = reach_of_heat * std::sqrt(4.0 * thermal.diffusivity() * duration);
+  const double farther = is_strip(grid) ? 4.0 : 2.0;
+  end = has_fields ? farther * std::max(spread, 1.5 * nearest) : spread;
+  // Waves in depth that decay before heat arrives from the images do not contribute to the temperature by the images, and little
+  // to the stress, because that heat remains near the surface.
+  decayed = has_fields ? 600.0 : 2.0 * reach_of_heat * reach_of_heat;
+}
+
+DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
+                         double deepest)
+{
+  require_thermal(owner, thermal);
+  if (!(times.shortest_step > 0.0) || !(times.duration >= times.shortest_step) || std::isinf(times.duration))
+    throw InputError(fmt::format("{}: a shortest step of {} s in a duration of {} s; allowed: finite times above 0, "
+                                 "the duration not below the step",
+                                 owner, times.shortest_step, times.duration));
+  const double finest = std::numbers::pi * std::hypot(1.0 / grid.dx, 1.0 / grid.dy);
+  return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
+}
+
+double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
+                      const WantedOfHeat& wanted)
+{
+  constexpr double copies = 2.0;    // now and before the step
+  constexpr double of_layers = 3.0; // temperature now and before the step, and source
+  constexpr double layers_below = 15.0;
+  const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted.deepest);
+  const auto lattice = [&](int px, int py, std::size_t kept, double layers)
+  {
+    const double rows = wanted.symmetry == Symmetry::none ? py : py / 2 + 1;
+    const double blocks = std::ceil((px / 2 + 1) / static_cast<double>(lane_count));
+    return rows * blocks * sizeof(ComplexLanes) * (copies * static_cast<double>(kept) + of_layers * layers);
+  };
+  const double layers = wanted.heated.count > 0 ? wanted.heated.count + layers_below : 0.0;
+  const ImagesOfHeat images(grid, thermal, times.duration, wanted.images, waves.has_fields);
+  double bytes = lattice(images.period_x, images.period_y, waves.waves.size(), layers);
+  for (double distance = images.nearest; distance < images.end; distance *= 2.0)
+  {
+    const std::size_t slow = waves.slower_than(images.decayed / distance).waves.size();
+    const double merged = wanted.images == HeatImages::coarse ? 0.5 * layers : layers; // see layers_for_images
+    bytes +=
+        lattice(images.twice_x, images.twice_y, slow, merged) + lattice(images.once_x, images.once_y, slow, merged);
+  }
+  return bytes;
+}
+
+} // namespace brinell::halfspace
