@@ -37,8 +37,8 @@ struct EffectTotals : WearTotals
 /// A total in files.
 struct EffectColumn
 {
-  std::string_view effect;     ///< its part of the summary
-  std::string_view in_summary; ///< its name there
+  std::string_view effect;     ///< part of the summary
+  std::string_view in_summary; ///< name there
   Column<EffectTotals> column;
 };
 

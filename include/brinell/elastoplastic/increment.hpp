@@ -119,7 +119,7 @@ struct History
   std::vector<std::unique_ptr<Effect>> effects{};
 };
 
-/// What happens between the surfaces: friction, direction of sliding, heat, further effects.
+/// Settings of what happens between the surfaces: friction, direction of sliding, heat, further effects.
 struct Sliding
 {
   Friction friction{};

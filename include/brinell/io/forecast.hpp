@@ -7,7 +7,7 @@
 namespace brinell::io
 {
 
-/// What decides about the time of a run of the case.
+/// Features of a case that decide about the time of its run.
 [[nodiscard]] simulation::Workload workload(const Case& c, const ScenarioPlan& plan);
 
 } // namespace brinell::io

@@ -14,9 +14,9 @@ namespace brinell::simulation
 struct Course
 {
   double loading = 0.0;   ///< the drive rises at a place for the first time
-  double unloading = 0.0; ///< it falls for the first time
+  double unloading = 0.0; ///< the drive falls for the first time
   double moving = 0.0;    ///< the contact moves, or the surfaces slide, for the first time
-  double again = 0.0;     ///< the same again: further cycles, passes and strokes, most of which is elastic
+  double again = 0.0;     ///< repetitions: further cycles, passes and strokes, most of which is elastic
   double turns = 0.0;     ///< times that sliding begins or reverses, where friction is raised in increments of its own
   double mobilised = 1.0; ///< share of the friction that acts: less where the surfaces stick
   bool sticks = false;    ///< whether the surfaces may stick in places
@@ -39,7 +39,7 @@ struct Factor
   double value;
 };
 
-/// What decides about the time of a run and is known before it.
+/// Features of a run that decide about its time and are known before it.
 struct Workload
 {
   Course course;

@@ -49,7 +49,7 @@ HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material&
     : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference),
       along_surface_(along_surface)
 {
-  for (std::vector<double>* field : {&share_, &flux_, &last_share_, &share_before_})
+  for (std::vector<double>* field : {&share_, &flux_, &flux_before_, &last_share_, &share_before_})
     field->assign(contact.size(), 0.0);
   for (std::size_t part = 0; part < parts(); ++part)
     for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
@@ -178,6 +178,7 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
                        std::span<const double> imposed)
 {
   imposed_.assign(imposed.begin(), imposed.end());
+  flux_before_ = flux_;
   if (!conducts())
     return;
   duration_ = without_rounding(duration);
@@ -292,6 +293,7 @@ void HeatedSide::settle()
 
 void HeatedSide::restore()
 {
+  flux_ = flux_before_;
   if (conducts() && !is_mirrored_)
     heat_->restore();
 }
@@ -331,7 +333,7 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
     embed_field(contact_, field, contact, moved);
     field = std::move(moved);
   };
-  for (std::vector<double>* field : {&share_, &flux_, &last_share_, &share_before_})
+  for (std::vector<double>* field : {&share_, &flux_, &flux_before_, &last_share_, &share_before_})
     move(*field, 0.0);
   for (std::size_t part = 0; part < parts(); ++part)
     for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})

@@ -101,7 +101,7 @@ private:
   std::list<Responses> cached_responses_; ///< cache, most recently used first
   Place place_{};                         ///< of the contact grid on the thermal grid
   double duration_ = 0.0;
-  std::vector<double> remaining_, share_, flux_;
+  std::vector<double> remaining_, share_, flux_, flux_before_;
   Displacement remaining_displacement_, own_displacement_; ///< on the contact grid; only the `parts` are filled
   std::vector<double> imposed_; ///< flux from outside in the current step [W/m^2]; empty: none
   // At the end of the last step

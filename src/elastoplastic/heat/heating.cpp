@@ -198,6 +198,8 @@ void Heating::settle_work(std::size_t side, std::span<const double> work, const 
 
 void Heating::restore()
 {
+  if (state_->duration == 0.0)
+    return;
   for (HeatedSide& side : state_->sides)
     side.restore();
 }

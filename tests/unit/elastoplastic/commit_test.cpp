@@ -15,8 +15,8 @@ namespace brinell::elastoplastic::commit_test
 namespace
 {
 
-constexpr double cell = 1e-5; // m
-constexpr double interference = 4e-6, radius = 1e-3;
+constexpr double cell = 1e-5;                          // m
+constexpr double interference = 3.2e-6, radius = 5e-3; // m; 13 cells to the contact radius, moderate yielding
 
 constitutive::Material steel()
 {
@@ -72,17 +72,17 @@ Archive::Fields state_of(CoupledContact& contact)
 TEST(Commit, NothingIsKeptOfAnIncrementWhoseHeatIsLost)
 {
   CoupledContact small = rubbing(15);
-  ASSERT_TRUE(advance(small, 0.1 * interference).converged);
+  ASSERT_TRUE(advance(small, 0.15 * interference).converged);
   CoupledContact large = rubbing(75);
   large.continue_from(std::move(small).take_history());
   const Archive::Fields before = state_of(large);
-  EXPECT_THROW(static_cast<void>(advance(large, 10.0 * interference)), GridError);
+  EXPECT_THROW(static_cast<void>(advance(large, interference)), GridError);
   const Archive::Fields after = state_of(large);
   ASSERT_EQ(before.size(), after.size());
   for (const auto& [name, values] : before)
     if (!name.ends_with("window_wishes")) // says when windows pay, and counts increments that fail, too
       EXPECT_EQ(values, after.at(name)) << name;
-  EXPECT_TRUE(advance(large, 0.12 * interference).converged);
+  EXPECT_TRUE(advance(large, 0.2 * interference).converged);
 }
 
 } // namespace

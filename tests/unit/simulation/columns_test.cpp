@@ -35,23 +35,23 @@ consteval std::size_t arity()
     return sizeof...(Values);
 }
 
-/// Of the totals: both volumes and depths, the largest step and the work of wear.
-constexpr std::size_t members_of_wear = 6;
+/// Totals of all effects between the surfaces: the bases of EffectTotals.
+constexpr std::size_t members_of_effects = arity<elastoplastic::WearTotals>();
 
-/// Rows of scenarios in which the surfaces may wear: where they slip.
+/// Rows of scenarios in which effects between the surfaces may act: where they slip.
 template <typename Row>
-constexpr bool wears = std::derived_from<Row, FrictionRecord>;
+constexpr bool has_effects = std::derived_from<Row, FrictionRecord>;
 
-/// Members of what a row derives from: those of the totals without the coverage, the work of expansion, which is nothing where
-/// nothing heats, and what wears; and its own beside this base.
-constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 2 - members_of_wear) + (arity<StepRecord>() - 1);
+/// Members of what a row derives from: those of the totals without their base, the coverage, and the work of expansion, which is
+/// nothing where nothing heats; and its own beside this base.
+constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 3) + (arity<StepRecord>() - 1);
 
 /// Some rows derive from those of sliding surfaces, and of them some from those that friction heats, with the work of expansion.
 template <typename Row>
 constexpr std::size_t members_of_row = members_of_all_rows +
                                        (std::derived_from<Row, FrictionRecord> ? arity<FrictionRecord>() - 1 : 0) +
                                        (std::derived_from<Row, HeatedRecord> ? arity<HeatedRecord>() : 0) +
-                                       (wears<Row> ? members_of_wear : 0) + (arity<Row>() - 1);
+                                       (has_effects<Row> ? members_of_effects : 0) + (arity<Row>() - 1);
 
 template <typename Record>
 class ColumnsOf : public testing::Test
