@@ -58,7 +58,7 @@ def in_python(text: str, table: str) -> str:
     return re.sub(r"\b(true|false)(?=:)|(?<== )(true|false)\b", lambda found: found.group().capitalize(), text)
 
 
-def described(key: Key, table: str, choice: str = "") -> str:
+def described(key: Key, table: str, choice: str = "", is_required: bool = False) -> str:
     """Meaning of a key, its unit, range and default, and what it cannot stand beside."""
     facts = []
     if key.unit and f"in {key.unit}" not in key.text:
@@ -70,7 +70,9 @@ def described(key: Key, table: str, choice: str = "") -> str:
         unbroken = key.range.replace(" ", NO_BREAK)
         facts.append(unbroken if facts else f"allowed: {unbroken}")
     limits = ", ".join(facts)
-    rest = [] if key.required or key.one_of else [f"default: {in_python(python_value(key.default), table)}"]
+    rest = (
+        [] if key.required or is_required or key.one_of else [f"default: {in_python(python_value(key.default), table)}"]
+    )
     if key.excludes and not key.one_of:
         rest.append(f"not together with {key.excludes.removeprefix(f'{table}.')}")
     when, values = key.when
@@ -178,7 +180,7 @@ def text_of(name: str, key: Key | Part, kind: Kind) -> str:
     """Description of a field."""
     if isinstance(key, Part):
         return f"{key.text}, {'a list of ' if key.is_list else ''}`brinell.{key.kind}` or a dictionary."
-    return described(key, kind.table, kind.choice)
+    return described(key, kind.table, kind.choice, name in kind.required)
 
 
 def annotated(name: str, key: Key | Part, kind: Kind, is_required: bool) -> str:

@@ -3,7 +3,6 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
-#include "brinell/io/versions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,15 +49,13 @@ double first_cells(const io::Case& c)
 std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& c, double cells)
 {
   const std::string summary = text_of(folder / "summary.json");
-  const std::string build = fmt::format("\"git_hash\": \"{}\"", io::library_versions().git_hash);
-  if (summary.empty() || text_of(folder / "resolved.toml") != io::resolved_files(c.values).text ||
-      summary.find(build) == summary.npos)
+  if (summary.empty() || text_of(folder / "resolved.toml") != io::resolved_files(c.values).text)
     return std::nullopt;
   const simulation::Plan plan =
       std::visit([](const auto& scenario) -> simulation::Plan { return simulation::plan(scenario); }, c.scenario);
-  io::Level level = io::level_of(summary, cells);
-  if (level.spacing != io::Vector3{plan.contact.dx, plan.contact.dy, plan.lower.dz})
-    return std::nullopt;
+  std::optional<io::Level> level = io::level_of_this_build(summary, cells);
+  if (level && level->spacing != io::Vector3{plan.contact.dx, plan.contact.dy, plan.lower.dz})
+    level.reset();
   return level;
 }
 

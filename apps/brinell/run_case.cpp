@@ -147,7 +147,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
     info.quality.warnings.push_back(std::move(warning));
   if (const auto missing = io::missing_steps(c.snapshots, summary.last.step))
     info.quality.warnings.push_back(*missing);
-  LevelReport report{{}, io::level_of(io::summary_text(c, plan, summary, info), before.cells), {}};
+  LevelReport report{{}, io::level_of(c, plan, summary, info, before.cells), {}};
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));
 

@@ -112,7 +112,7 @@ class HeatSource(CaseTable):
             contact. disc, rectangle: uniform flux into the surface of one body, as by a laser or a heater; contact:
             heat that arises between the surfaces in proportion to the pressure, as by an electric current, and is
             shared as the heat of friction. It acts from the first step on, except on the way back between passes. Needs
-            thermal constants and a speed. Default: "none".
+            thermal constants and a speed.
         on: Body whose surface the source heats. Default: "lower"; only with shape = "disc" or "rectangle".
         power: Power of the source; over a period or in plane strain, that of one period. In W, > 0; default: the flux
             is given; not together with flux; only with shape = "disc" or "rectangle" or "contact".
@@ -238,7 +238,7 @@ class Point(CaseTable):
     """A point within a body at which each step records stress, plastic strain and temperature.
 
     Attributes:
-        depth: Depth of the point below the surface. In m, >= 0; default: there is no point.
+        depth: Depth of the point below the surface. In m, >= 0.
         x: x of the point on the surface of its body. The values are those of the cell around the point. In m; default:
             0.
         y: y of the point. In m; default: 0.

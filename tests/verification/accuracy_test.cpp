@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
-#include "brinell/io/summary_json.hpp"
+#include "brinell/io/result_directory.hpp"
 #include "brinell/simulation/run.hpp"
 #include "record.hpp"
 
@@ -25,7 +25,7 @@ io::Level run_with(const io::Case& given, double cells)
         const auto summary = simulation::run(scenario);
         const auto plan = simulation::plan(scenario);
         const io::RunInfo info{.quality = simulation::quality(scenario, plan, summary)};
-        return io::level_of(io::summary_text(c, plan, summary, info), cells);
+        return io::level_of(c, plan, summary, info, cells);
       },
       c.scenario);
 }

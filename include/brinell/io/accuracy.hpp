@@ -5,12 +5,15 @@
 #include "brinell/simulation/convergence.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 /// Discretization errors of the numbers of a case, estimated from a series of runs with successively finer cells.
 namespace brinell::io
 {
+
+struct RunInfo;
 
 /// The numbers of a summary by their names: "forces.peak_F_X_N", "indents[0].hardness_Pa".
 using Numbers = std::map<std::string, double>;
@@ -35,12 +38,13 @@ struct Accuracy
   std::map<std::string, simulation::Convergence> numbers;
 };
 
-/// A finished run of a series, from its summary's text.
-[[nodiscard]] Level level_of(const std::string& summary, double cells);
+/// A finished run of a series. Its numbers are the results in its summary: without input values, counts, errors, values that are
+/// not numbers, and values normalised by those at first yield, which only differ by a factor.
+[[nodiscard]] Level level_of(const Case& c, const simulation::AnyPlan& plan, const simulation::AnySummary& summary,
+                             const RunInfo& info, double cells);
 
-/// The results in a summary's text. Left out are input values, counts, errors, values that are not numbers, and values normalised
-/// by those at first yield, which only differ by a factor.
-[[nodiscard]] Numbers numbers_of(const std::string& summary);
+/// A run of a series that is read again from the text of its summary; none if another build of the program has computed it.
+[[nodiscard]] std::optional<Level> level_of_this_build(const std::string& summary, double cells);
 
 /// Case with its cell sizes multiplied by a factor; a shift that is not given scales with the cells. The values of the
 /// case, and so its resolved text, stay those of the case as given, because they identify the series.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
 
+#include "brinell/io/versions.hpp"
 #include "io/case/value_text.hpp"
 #include "io/scenarios/scenario_io.hpp"
+#include "summary_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +51,10 @@ Results results_of_all_scenarios()
 void collect(const Json& json, const std::string& name, const Results& results, Numbers& numbers)
 {
   if (json.is_number())
-    numbers[name] = json.get<double>();
+  {
+    if (const double number = json.get<double>(); std::isfinite(number))
+      numbers[name] = number;
+  }
   else if (json.is_array())
     for (std::size_t i = 0; i < json.size(); ++i)
       collect(json[i], fmt::format("{}[{}]", name, i), results, numbers);
@@ -57,6 +62,21 @@ void collect(const Json& json, const std::string& name, const Results& results, 
     for (const auto& [key, value] : json.items())
       if (!results.excluded.contains(key))
         collect(value, fmt::format("{}.{}", name, key), results, numbers);
+}
+
+/// The numbers and errors of a run, as its summary has them.
+Level level_in(const Json& summary, double cells)
+{
+  Level level{
+      .cells = cells, .spacing = summary.at("grid").at("spacing_m").get<Vector3>(), .numbers = {}, .stated_errors = {}};
+  const Results results = results_of_all_scenarios();
+  for (const std::string& part : results.parts)
+    if (summary.contains(part))
+      collect(summary[part], part, results, level.numbers);
+  const Json& resolution = summary.at("resolution");
+  const char* const stated = resolution.contains("errors_of_tables") ? "errors_of_tables" : "expected_errors";
+  level.stated_errors = resolution.value(stated, level.stated_errors);
+  return level;
 }
 
 /// Number of entries in a list.
@@ -156,25 +176,18 @@ std::vector<simulation::ExpectedError> expected_errors(const Case& c, const Leve
 
 } // namespace
 
-Level level_of(const std::string& summary, double cells)
+Level level_of(const Case& c, const simulation::AnyPlan& plan, const simulation::AnySummary& summary,
+               const RunInfo& info, double cells)
 {
-  const Json json = Json::parse(summary);
-  return {cells, json.at("grid").at("spacing_m").get<Vector3>(), numbers_of(summary),
-          json.value(json.contains("/resolution/errors_of_tables"_json_pointer)
-                         ? "/resolution/errors_of_tables"_json_pointer
-                         : "/resolution/expected_errors"_json_pointer,
-                     std::map<std::string, double>{})};
+  return level_in(summary_json(c, plan, summary, info), cells);
 }
 
-Numbers numbers_of(const std::string& summary)
+std::optional<Level> level_of_this_build(const std::string& summary, double cells)
 {
-  const Json json = Json::parse(summary);
-  Numbers numbers;
-  const Results results = results_of_all_scenarios();
-  for (const std::string& part : results.parts)
-    if (json.contains(part))
-      collect(json[part], part, results, numbers);
-  return numbers;
+  const Json json = Json::parse(summary, nullptr, false); // discarded if the file is damaged
+  if (json.is_discarded() || json.value("/versions/git_hash"_json_pointer, "") != library_versions().git_hash)
+    return std::nullopt;
+  return level_in(json, cells);
 }
 
 Case with_cells(const Case& c, double size)

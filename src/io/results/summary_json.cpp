@@ -227,8 +227,8 @@ Json accuracy_json(const Accuracy& a)
   return json;
 }
 
-/// Adds the last part of every summary, and returns the text.
-std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo& info)
+/// Adds the last part of every summary.
+void put_last(Json& json, const Case& c, const RunTotals& s, const RunInfo& info)
 {
   const Json grid = grid_json(s);
   json["grid"].update(grid);
@@ -243,8 +243,6 @@ std::string finished(Json json, const Case& c, const RunTotals& s, const RunInfo
     json["accuracy"] = accuracy_json(*info.accuracy);
   json["versions"] = versions_json();
   json["case"] = case_json(c.values);
-  // Titles come from files in any encoding: a bad byte must not cost a finished run its summary.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace
@@ -283,8 +281,8 @@ std::string key_of(std::string_view name, std::string_view unit)
   return key;
 }
 
-std::string summary_text(const Case& c, const simulation::AnyPlan& plan, const simulation::AnySummary& summary,
-                         const RunInfo& info)
+Json summary_json(const Case& c, const simulation::AnyPlan& plan, const simulation::AnySummary& summary,
+                  const RunInfo& info)
 {
   return std::visit(
       [&]<typename ScenarioCase>(const ScenarioCase& scenario)
@@ -294,9 +292,17 @@ std::string summary_text(const Case& c, const simulation::AnyPlan& plan, const s
         const auto& p = std::get<typename ScenarioCase::Plan>(plan);
         io_of(scenario).summarise(json, c, scenario, p, s);
         put_totals(json, scenario, p, s);
-        return finished(std::move(json), c, s, info);
+        put_last(json, c, s, info);
+        return json;
       },
       c.scenario);
+}
+
+std::string summary_text(const Case& c, const simulation::AnyPlan& plan, const simulation::AnySummary& summary,
+                         const RunInfo& info)
+{
+  // Titles come from files in any encoding: a bad byte must not cost a finished run its summary.
+  return summary_json(c, plan, summary, info).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace brinell::io

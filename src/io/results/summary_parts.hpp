@@ -14,6 +14,11 @@ namespace brinell::io
 {
 
 using Json = nlohmann::ordered_json;
+struct RunInfo;
+
+/// Content of summary.json.
+[[nodiscard]] Json summary_json(const Case& c, const simulation::AnyPlan& plan, const simulation::AnySummary& summary,
+                                const RunInfo& info);
 
 /// Values at first yield, by which results are normalised. Without first yield they are NaN, so that every quotient is NaN and
 /// becomes null in JSON.

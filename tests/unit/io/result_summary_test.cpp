@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/accuracy.hpp"
+#include "brinell/io/versions.hpp"
 #include "sample_result.hpp"
 
 #include <gtest/gtest.h>
@@ -65,6 +67,33 @@ TEST(ResultSummary, OfElasticBodiesHasNoScales)
   EXPECT_TRUE(json["critical"]["load_N"].is_null());
   for (const auto& [key, value] : json["normalised"].items())
     EXPECT_TRUE(value.is_null() || key == "X_over_R_at_peak_F_X") << key;
+}
+
+/// A series takes the numbers of a run from the run itself, or from the summary of an earlier process: they are the same.
+TEST(ResultSummary, HasTheNumbersOfARunOfASeries)
+{
+  const sample::TemporaryFolder folder;
+  const Case c = sample::parsed();
+  write_complete(folder.path(), c);
+  const std::string text = sample::file_text(folder.path() / "summary.json");
+  const simulation::TuggingPlan plan;
+  const simulation::TuggingSummary summary = sample::hand_made_summary(c);
+  const Level run = level_of(c, plan, summary, {}, 2.0);
+  const auto read = level_of_this_build(text, 2.0);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->cells, 2.0);
+  EXPECT_EQ(read->spacing, run.spacing);
+  EXPECT_EQ(read->numbers, run.numbers);
+  EXPECT_EQ(read->stated_errors, run.stated_errors);
+  EXPECT_EQ(run.numbers.at("forces.peak_F_X_N"), 0.25 * c.first_yield->critical.load);
+  EXPECT_FALSE(run.numbers.contains("load_ratio.end")) << "a ratio that does not exist";
+
+  const std::string hash = library_versions().git_hash;
+  std::string other = text;
+  other.replace(other.find(hash, other.find("\"git_hash\"")), hash.size(), "of another build");
+  EXPECT_FALSE(level_of_this_build(other, 2.0));
+  EXPECT_FALSE(level_of_this_build(text.substr(0, text.size() / 2), 2.0)) << "damaged";
+  EXPECT_FALSE(level_of_this_build("{}", 2.0));
 }
 
 } // namespace
