@@ -76,8 +76,8 @@ DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Therm
 double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                       const WantedOfHeat& wanted)
 {
-  constexpr double copies = 2.0;       // now and before the step
-  constexpr double of_layers = 3.0;    // temperature now and before the step, and source
+  constexpr double copies = 2.0;    // now and before the step
+  constexpr double of_layers = 3.0; // temperature now and before the step, and source
   constexpr double layers_below = 15.0;
   const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted.deepest);
   const auto lattice = [&](int px, int py, std::size_t kept, double layers)
@@ -93,7 +93,8 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
   {
     const std::size_t slow = waves.slower_than(images.decayed / distance).waves.size();
     const double merged = wanted.images == HeatImages::coarse ? 0.5 * layers : layers; // see layers_for_images
-    bytes += lattice(images.twice_x, images.twice_y, slow, merged) + lattice(images.once_x, images.once_y, slow, merged);
+    bytes +=
+        lattice(images.twice_x, images.twice_y, slow, merged) + lattice(images.once_x, images.once_y, slow, merged);
   }
   return bytes;
 }

@@ -19,9 +19,11 @@ struct ImagesOfHeat
 {
   int period_x, period_y;          ///< of the first lattice
   bool x_is_coarser, y_is_coarser; ///< whether already the nearest images are removed on cells twice as long
-  int twice_x, twice_y, once_x, once_y; ///< of the pairs of lattices, each on cells twice as long as those of the pair before
-  double nearest = 0.0, end = 0.0; ///< distances of the images of the first pair, and from which on none are removed [m]
-  double decayed = 0.0;            ///< waves in depth up to this number over the distance are kept
+  int twice_x, twice_y, once_x,
+      once_y; ///< of the pairs of lattices, each on cells twice as long as those of the pair before
+  double nearest = 0.0,
+         end = 0.0;     ///< distances of the images of the first pair, and from which on none are removed [m]
+  double decayed = 0.0; ///< waves in depth up to this number over the distance are kept
 
   /// @param has_fields  whether fields in the body are wanted, not only the temperature of the surface
   ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, double duration, HeatImages images, bool has_fields);

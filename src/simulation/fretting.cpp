@@ -24,7 +24,8 @@ class Fretting
 {
 public:
   Fretting(const FrettingCase& fretting, const FrettingPlan& plan)
-      : case_(fretting), steps_(plan.steps), heat_times_(plan.heat_times), cos_(std::cos(fretting.direction)), sin_(std::sin(fretting.direction))
+      : case_(fretting), steps_(plan.steps), heat_times_(plan.heat_times), cos_(std::cos(fretting.direction)),
+        sin_(std::sin(fretting.direction))
   {
     // Makes right angles exact in spite of the rounding of pi.
     for (double* part : {&cos_, &sin_})

@@ -85,7 +85,8 @@ halfspace::HeatTimes heat_times(const RollingCase& rolling, const RollingPlan& p
 {
   constexpr double finest = 1.0 / 128; // share of a step: half the shortest piece while pressing
   const double shortest = plan.shift * std::min(finest, 0.25 * plan.contact.dx / plan.shift);
-  return {shortest / rolling.speed.value(), (rolling.passes * way_of_pass(rolling, plan) + plan.shift) / rolling.speed.value()};
+  return {shortest / rolling.speed.value(),
+          (rolling.passes * way_of_pass(rolling, plan) + plan.shift) / rolling.speed.value()};
 }
 
 } // namespace
@@ -148,6 +149,7 @@ RollingPlan plan(const RollingCase& rolling)
   if (heats)
     plan.heat_times = heat_times(rolling, plan);
   const int shears = rolling.friction.coefficient > 0.0 || heats ? (rolling.creepage ? 2 : 1) : 0;
+  plan.is_textured = !are_smooth(rolling.lower, rolling.upper);
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
                                    heats ? &rolling.heat : nullptr);
   return plan;

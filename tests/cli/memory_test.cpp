@@ -45,7 +45,7 @@ class Memory : public Program, public testing::WithParamInterface<Sized>
 double foretold(const std::string& report)
 {
   std::smatch found;
-  return std::regex_search(report, found, std::regex("roughly: ([0-9.]+) MB of memory")) ? std::stod(found[1]) : 0.0;
+  return std::regex_search(report, found, std::regex("([0-9.]+) MB of memory")) ? std::stod(found[1]) : 0.0;
 }
 
 TEST_P(Memory, IsAsForetold)

@@ -10,4 +10,17 @@ namespace brinell::io
 /// What decides about the time of a run of the case.
 [[nodiscard]] simulation::Workload workload(const Case& c, const ScenarioPlan& plan);
 
+/// What is foretold of a run of the case: with `solver.accuracy`, of the one with the given cells.
+struct Forecast : simulation::Forecast
+{
+  double memory = 0.0; ///< largest [bytes]
+};
+[[nodiscard]] Forecast forecast(const Case& c, const ScenarioPlan& plan);
+
+/// Largest memory of a run of the case, files included [bytes].
+[[nodiscard]] double run_memory(const Case& c, const ScenarioPlan& plan);
+
+/// "about 12 s (6 to 24 s) on one core, 180 MB of memory"
+[[nodiscard]] std::string forecast_text(const Forecast& forecast);
+
 } // namespace brinell::io
