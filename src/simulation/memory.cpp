@@ -174,10 +174,15 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 
 } // namespace
 
+double growth_of_line(double over_yield)
+{
+  return 1.0 + 0.3 * std::clamp((over_yield - 1.9) / 0.4, 0.0, 1.0);
+}
+
 double MemoryParts::total() const
 {
   constexpr double program = 18e6; // with its libraries and the writers of files
-  return program + (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
+  return program + growth * (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
 }
 
 MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
@@ -185,7 +190,9 @@ MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, 
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
-  MemoryParts parts{.contact = contact_bytes(plan.contact, shears)};
+  const bool is_line = is_plane(plan.contact) && (lower.is_plastic() || upper.is_plastic());
+  MemoryParts parts{.growth = is_line && !plan.is_textured ? growth_of_line(plan.peak_over_yield) : 1.0,
+                    .contact = contact_bytes(plan.contact, shears)};
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
   {
     parts.output = std::max(parts.output, output_bytes(*grid, *material, shears));

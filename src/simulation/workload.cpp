@@ -224,7 +224,7 @@ struct Sizes
 
 Sizes sizes_of(const Situation& s)
 {
-  constexpr double unit = 1e-9;
+  const double unit = 1e-9 * (s.is_line && s.can_yield() ? growth_of_line(s.severity()) : 1.0);
   Sizes sizes;
   for (const auto& [body, grid] : {std::pair{&s.lower, &s.plan.lower}, {&s.upper, &s.plan.upper}})
   {

@@ -48,8 +48,9 @@ std::string time_text(const Forecast& f)
 /// Memory of the library that writes the results, which keeps what it knows of the fields of earlier states (measured).
 double writer_bytes(double states)
 {
-  constexpr double per_state = 0.8e6, most = 18e6;
-  return std::min(most, per_state * (states - 1.0));
+  constexpr double per_state = 0.8e6, per_further_state = 0.15e6, first_states = 18.0;
+  const double more = states - 1.0;
+  return per_state * std::min(more, first_states) + per_further_state * std::max(0.0, more - first_states);
 }
 
 } // namespace
