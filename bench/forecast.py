@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Held against runs: what brinell check foretells of time and memory, for random cases of every kind.
 
-    python bench/forecast.py measure --from 0 --to 700 -o fitted.jsonl       # appends cases that it lacks
-    python bench/forecast.py fit fitted.jsonl                                # writes src/simulation/forecast_constants.hpp
+    python bench/forecast.py measure --from 0 --to 700 -o fitted.jsonl    # appends cases that it lacks
+    python bench/forecast.py fit fitted.jsonl                             # writes forecast_constants.hpp
     python bench/forecast.py measure --from 1000 --to 1350 -o others.jsonl
-    python bench/forecast.py show others.jsonl                               # after the program has been built again
+    python bench/forecast.py show others.jsonl                            # after the program has been built again
 
-Each case is drawn from its number alone (bench/forecast_cases.py). Times are processor times of one thread, so that they hold on a
-machine with other work, too. Run it with the Python of .venv, whose package has to be that of the program.
+Each case is drawn from its number alone (bench/forecast_cases.py). Times are processor times of one thread, which hold
+on a machine with other work, too. Run it with the Python of .venv, whose package has to be that of the program.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = ROOT / "build/release/bin/brinell"
 Table = dict[str, Any]
 
-# Starts the program from a process that is smaller than it: the largest resident set counts from before the program begins.
+# Starts the program from a small process: the largest resident set counts from before the program begins.
 LAUNCHER = """
 import json, os, sys, time
 begin = time.monotonic()

@@ -132,6 +132,7 @@ def over_yield(draw: Draw, *, soft: bool = False) -> float:
 def indentation(
     draw: Draw, *, soft: bool = False, rough: bool = False, line: bool = False, elastic: bool = False
 ) -> Table:
+    """A ball, an ellipsoid or a cylinder is pressed into a flat."""
     bodies = Bodies(draw, soft=soft, elastic=elastic)
     contact = Round(draw, bodies, over_yield(draw, soft=soft), line=line)
     case = base("indentation", bodies, FLAT, contact.shape)
@@ -150,6 +151,7 @@ def indentation(
 
 
 def tip(draw: Draw) -> Table:
+    """A pyramid or a cone is pressed into a flat."""
     bodies = Bodies(draw, soft=draw.random() < 0.3)
     kind = draw.choice(["vickers", "berkovich", "cone"])
     shape: Table = {"type": kind, **({"half_angle": draw.uniform(60, 80)} if kind == "cone" else {})}
@@ -233,6 +235,7 @@ def rolling(
     long: bool = False,
     elastic: bool = False,
 ) -> Table:
+    """A body rolls over a flat."""
     bodies = Bodies(draw, heated=heated, elastic=elastic)
     contact = Round(draw, bodies, draw.power(0.7, 3), line=line)
     case = base("rolling", bodies, FLAT, contact.shape)
@@ -266,6 +269,7 @@ def tugging(
     line: bool = False,
     soft: bool = False,
 ) -> Table:
+    """Two bodies pass each other."""
     bodies = Bodies(draw, heated=heated, soft=soft)
     if "rigid" in bodies.upper and draw.random() < 0.5:
         bodies.upper = {key: value for key, value in bodies.lower.items() if key != "yield_profile"}
@@ -298,6 +302,7 @@ def sliding(
     long: bool = False,
     elastic: bool = False,
 ) -> Table:
+    """A body slides over a flat."""
     bodies = Bodies(draw, heated=heated, elastic=elastic)
     contact = Round(draw, bodies, draw.power(0.6, 3), line=line)
     case = base("sliding", bodies, FLAT, contact.shape)
@@ -326,6 +331,7 @@ def fretting(
     line: bool = False,
     elastic: bool = False,
 ) -> Table:
+    """A body oscillates on a flat."""
     bodies = Bodies(draw, heated=heated, elastic=elastic)
     contact = Round(draw, bodies, draw.power(0.5, 2.5), line=line)
     case = base("fretting", bodies, FLAT, contact.shape)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fits the constants of the forecast to measured runs, and shows how well it holds for others: see bench/forecast.py."""
+"""Fits the constants of the forecast to measured runs, and shows how well it holds: see bench/forecast.py."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ def fit(options: argparse.Namespace) -> None:
 
 
 def shares(ratios: Array, factor: float) -> str:
-    """ "95 %" """
+    """Share of the ratios within a factor, as text."""
     return f"{100 * np.mean(np.abs(np.log(ratios)) < math.log(factor)):.0f} %"
 
 
@@ -158,9 +158,8 @@ def show(options: argparse.Namespace) -> None:
     kinds: dict[str, list[Table]] = collections.defaultdict(list)
     for row in rows:
         kinds[row["kind"]].append(row)
-    print(
-        "| kind | runs | processor time | time within a factor of 2 | in the range told | evaluations | memory within 20 % |"
-    )
+    heads = ("kind", "runs", "processor time", "within a factor of 2", "in the range told", "evaluations", "memory")
+    print(f"| {' | '.join(heads)} |")
     print("| --- | --- | --- | --- | --- | --- | --- |")
     for kind, mine in [*sorted(kinds.items()), ("all", rows)]:
         seconds = np.array([row["run"]["seconds"] for row in mine])

@@ -37,7 +37,7 @@ shape = { type = "flat" }
 material.young_modulus = "210 GPa"
 material.poisson_ratio = 0.3
 material.hardening = { law = "linear", yield_stress = "800 MPa", modulus = "4 GPa" }
-texture = { type = "random", rms_slope = 0.06, rolloff = "60 um", cutoff = "20 um", size = "120 um", seed = 3 }
+texture = { type = "random", rms_slope = 0.06, rolloff = "60 um", cutoff = "20 um", size = ["120 um", "120 um"], seed = 3 }
 [upper]
 shape = { type = "flat" }
 material = { rigid = true }
@@ -46,8 +46,8 @@ pressure = ["150 MPa", 0]
 steps = 4
 [grid]
 boundary = "periodic"
-size = "120 um"
-cells = 40
+size = ["120 um", "120 um"]
+cells = [40, 40]
 """
 
 

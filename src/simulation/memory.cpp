@@ -181,7 +181,7 @@ double growth_of_line(double over_yield)
 
 double MemoryParts::total() const
 {
-  constexpr double program = 18e6; // with its libraries and the writers of files
+  constexpr double program = 17e6; // with its libraries and the writers of files
   return program + growth * (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
 }
 

@@ -94,7 +94,13 @@ INSTANTIATE_TEST_SUITE_P(
         Sized{"rolling-heat", // tracks so long that images need half as many cells
               {"grid.resolution=10", "thermal.heat_of_plastic_work=0"},
               "-long"},
-        Sized{"rolling-heat", {"grid.resolution=10"}, "-long-plastic"}),
+        Sized{"rolling-heat", {"grid.resolution=10"}, "-long-plastic"},
+        // heat that reaches far beyond the grids, so that many images are removed
+        Sized{"fretting-heat",
+              {"grid.resolution=8", R"(fretting.frequency="0.1 Hz")", "fretting.steps_per_cycle=8"},
+              "-far"},
+        Sized{"tugging", {"grid.resolution=8", R"(output.snapshots="all")"}, "-many-states"},
+        Sized{"tugging-cylinders", {R"(output.snapshots="none")"}, "-none"}),
     [](const auto& parameter)
     {
       std::string name = parameter.param.name + parameter.param.variant;

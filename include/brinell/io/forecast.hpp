@@ -13,12 +13,9 @@ namespace brinell::io
 /// What is foretold of a run of the case: with `solver.accuracy`, of the one with the given cells.
 struct Forecast : simulation::Forecast
 {
-  double memory = 0.0; ///< largest [bytes]
+  double memory = 0.0; ///< largest, files included [bytes]
 };
 [[nodiscard]] Forecast forecast(const Case& c, const ScenarioPlan& plan);
-
-/// Largest memory of a run of the case, files included [bytes].
-[[nodiscard]] double run_memory(const Case& c, const ScenarioPlan& plan);
 
 /// "about 12 s (6 to 24 s) on one core, 180 MB of memory"
 [[nodiscard]] std::string forecast_text(const Forecast& forecast);

@@ -45,10 +45,12 @@ std::string time_text(const Forecast& f)
                      number_text(f.shortest / unit.seconds), number_text(f.longest / unit.seconds), unit.name);
 }
 
-/// Memory of the library that writes the results, which keeps what it knows of the fields of earlier states (measured).
-double writer_bytes(double states)
+/// Memory of the library that writes the results, which keeps what it knows of the fields of earlier states (measured). Part of it
+/// is memory that increments of bodies that yield have freed.
+double writer_bytes(double states, simulation::Certainty certainty)
 {
-  constexpr double per_state = 0.8e6, per_further_state = 0.15e6, first_states = 18.0;
+  constexpr double per_further_state = 0.15e6, first_states = 18.0;
+  const double per_state = certainty == simulation::Certainty::elastic ? 1.1e6 : 0.8e6;
   const double more = states - 1.0;
   return per_state * std::min(more, first_states) + per_further_state * std::max(0.0, more - first_states);
 }
@@ -69,15 +71,11 @@ simulation::Workload workload(const Case& c, const ScenarioPlan& plan)
       c.scenario);
 }
 
-double run_memory(const Case& c, const ScenarioPlan& plan)
-{
-  return std::visit([](const simulation::Plan& p) { return p.memory_bytes; }, plan) +
-         writer_bytes(stored_states(c, plan));
-}
-
 Forecast forecast(const Case& c, const ScenarioPlan& plan)
 {
-  return {simulation::forecast(workload(c, plan)), run_memory(c, plan)};
+  const simulation::Workload work = workload(c, plan);
+  const double memory = std::visit([](const simulation::Plan& p) { return p.memory_bytes; }, plan);
+  return {simulation::forecast(work), memory + writer_bytes(stored_states(c, plan), work.certainty)};
 }
 
 std::string forecast_text(const Forecast& f)
