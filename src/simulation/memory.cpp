@@ -77,7 +77,7 @@ double share_near_yield(const VolumeGrid& grid, const Plan& plan)
     return std::min(0.15, 0.75 * plan.contact_share);
   const double over = over_yield(plan);
   if (is_plane(grid.surface))
-    return 0.5 * std::clamp((over - 0.85) / 0.6, 0.0, 1.0);
+    return 0.5 * std::clamp((over - 0.85) / 0.6, 0.0, 1.0) + 0.3 * std::clamp((over - 1.9) / 0.4, 0.0, 1.0);
   const double begun = std::clamp((over - 0.8) / 0.3, 0.0, 1.0);
   return begun * std::min(0.2, 0.05 + 0.06 * std::max(0.0, over - 1.0)); // most under a tip, where `over` is infinite
 }
@@ -176,7 +176,7 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 
 double growth_of_line(double over_yield)
 {
-  return 1.0 + 0.3 * std::clamp((over_yield - 1.9) / 0.4, 0.0, 1.0);
+  return 1.0 + 0.35 * std::clamp((over_yield - 1.9) / 0.4, 0.0, 1.0);
 }
 
 double MemoryParts::total() const
