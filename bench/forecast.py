@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Held against runs: what brinell check foretells of time and memory, for random cases of every kind.
 
-    python bench/forecast.py measure --from 0 --to 700 -o measured.jsonl   # appends cases that it lacks
-    python bench/forecast.py show measured.jsonl                           # shares within a factor of 2 and 20 %
+    python bench/forecast.py measure --from 0 --to 700 -o fitted.jsonl    # appends cases that it lacks
+    python bench/forecast.py fit fitted.jsonl                             # writes forecast_constants.hpp
+    python bench/forecast.py measure --from 1000 --to 1350 -o others.jsonl
+    python bench/forecast.py show others.jsonl                            # after the program has been built again
 
-Each case is drawn from its number alone (bench/forecast_cases.py).
+Each case is drawn from its number alone (bench/forecast_cases.py). Times are processor times of one thread, which hold
+on a machine with other work, too. Run it with the Python of .venv, whose package has to be that of the program.
 """
 
 from __future__ import annotations
@@ -28,7 +31,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = ROOT / "build/release/bin/brinell"
 Table = dict[str, Any]
 
-# Starts the program from a process that is smaller than it: the largest resident set counts from before the program begins.
+# Starts the program from a small process: the largest resident set counts from before the program begins.
 LAUNCHER = """
 import json, os, sys, time
 begin = time.monotonic()
@@ -62,7 +65,9 @@ def launched(arguments: list[str], place: pathlib.Path, timeout: float) -> Table
 
 def size_of(report: str) -> float:
     """Cells of the solved bodies times steps, from the report of check."""
-    grids = re.search(r"# Grids: contact .*, lower body (\d+) x (\d+) x (\d+) cells, upper body (\d+) x (\d+) x (\d+)", report)
+    grids = re.search(
+        r"# Grids: contact .*, lower body (\d+) x (\d+) x (\d+) cells, upper body (\d+) x (\d+) x (\d+)", report
+    )
     assert grids
     numbers = [int(n) for n in grids.groups()]
     lower, upper = numbers[0] * numbers[1] * numbers[2], numbers[3] * numbers[4] * numbers[5]
@@ -123,7 +128,7 @@ def measured(number: int, program: str, threads: int, timeout: float) -> Table:
             row["evaluations"] = history_of(result)
         if (result / "summary.json").exists():
             summary = json.loads((result / "summary.json").read_text())
-            row["summary"] = {key: summary.get(key) for key in ("run", "grid", "numerics", "solver")}
+            row["summary"] = {key: summary[key] for key in ("run", "grid")}
         return row
 
 
@@ -132,11 +137,26 @@ def measure(options: argparse.Namespace) -> None:
     out = pathlib.Path(options.output)
     done = {json.loads(line)["number"] for line in out.read_text().splitlines()} if out.exists() else set()
     numbers = [n for n in range(options.first, options.to) if n not in done]
-    work = lambda n: measured(n, options.program, options.threads, options.timeout)  # noqa: E731
+
+    def work(number: int) -> Table:
+        return measured(number, options.program, options.threads, options.timeout)
+
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, out.open("a") as file:
         for row in pool.map(work, numbers):
             file.write(json.dumps(row) + "\n")
             file.flush()
+
+
+def _fit(options: argparse.Namespace) -> None:
+    import forecast_fit  # needs the package, which measuring does not
+
+    forecast_fit.fit(options)
+
+
+def _show(options: argparse.Namespace) -> None:
+    import forecast_fit
+
+    forecast_fit.show(options)
 
 
 def main() -> None:
@@ -152,6 +172,13 @@ def main() -> None:
     runs.add_argument("--program", default=str(PROGRAM))
     runs.add_argument("-o", "--output", default="forecast.jsonl")
     runs.set_defaults(do=measure)
+    fits = sub.add_parser("fit")
+    fits.add_argument("files", nargs="+")
+    fits.set_defaults(do=_fit)
+    shows = sub.add_parser("show")
+    shows.add_argument("files", nargs="+")
+    shows.add_argument("--worst", type=int, default=10)
+    shows.set_defaults(do=_show)
     options = parser.parse_args()
     options.do(options)
 

@@ -22,7 +22,12 @@ def hardening(draw: Draw, yields: float, stiffness: float) -> Table:
     if law == "linear":
         return {"law": law, "yield_stress": yields, "modulus": stiffness * draw.power(1e-3, 5e-2)}
     if law == "voce":
-        return {"law": law, "yield_stress": yields, "saturation": yields * draw.power(0.2, 3), "rate": draw.power(5, 80)}
+        return {
+            "law": law,
+            "yield_stress": yields,
+            "saturation": yields * draw.power(0.2, 3),
+            "rate": draw.power(5, 80),
+        }
     if law == "ludwik":
         growth = yields * draw.power(0.5, 5)
         return {"law": law, "yield_stress": yields, "coefficient": growth, "exponent": draw.uniform(0.2, 0.6)}
@@ -124,7 +129,10 @@ def over_yield(draw: Draw, *, soft: bool = False) -> float:
     return draw.power(2, 40) if soft else draw.power(0.6, 6)
 
 
-def indentation(draw: Draw, *, soft: bool = False, rough: bool = False, line: bool = False, elastic: bool = False) -> Table:
+def indentation(
+    draw: Draw, *, soft: bool = False, rough: bool = False, line: bool = False, elastic: bool = False
+) -> Table:
+    """A ball, an ellipsoid or a cylinder is pressed into a flat."""
     bodies = Bodies(draw, soft=soft, elastic=elastic)
     contact = Round(draw, bodies, over_yield(draw, soft=soft), line=line)
     case = base("indentation", bodies, FLAT, contact.shape)
@@ -138,13 +146,12 @@ def indentation(draw: Draw, *, soft: bool = False, rough: bool = False, line: bo
     if rough:
         side = draw.choice(["lower", "upper"])
         length = contact.half * draw.power(0.5, 2.0)
-        case[side]["texture"] = texture(
-            draw, length, draw.power(0.1, 5) * contact.peak, bodies.modulus, is_plane=line
-        )
+        case[side]["texture"] = texture(draw, length, draw.power(0.1, 5) * contact.peak, bodies.modulus, is_plane=line)
     return case
 
 
 def tip(draw: Draw) -> Table:
+    """A pyramid or a cone is pressed into a flat."""
     bodies = Bodies(draw, soft=draw.random() < 0.3)
     kind = draw.choice(["vickers", "berkovich", "cone"])
     shape: Table = {"type": kind, **({"half_angle": draw.uniform(60, 80)} if kind == "cone" else {})}
@@ -228,6 +235,7 @@ def rolling(
     long: bool = False,
     elastic: bool = False,
 ) -> Table:
+    """A body rolls over a flat."""
     bodies = Bodies(draw, heated=heated, elastic=elastic)
     contact = Round(draw, bodies, draw.power(0.7, 3), line=line)
     case = base("rolling", bodies, FLAT, contact.shape)
@@ -253,8 +261,15 @@ def rolling(
 
 
 def tugging(
-    draw: Draw, *, slides: bool = False, heated: bool = False, wears: bool = False, line: bool = False, soft: bool = False
+    draw: Draw,
+    *,
+    slides: bool = False,
+    heated: bool = False,
+    wears: bool = False,
+    line: bool = False,
+    soft: bool = False,
 ) -> Table:
+    """Two bodies pass each other."""
     bodies = Bodies(draw, heated=heated, soft=soft)
     if "rigid" in bodies.upper and draw.random() < 0.5:
         bodies.upper = {key: value for key, value in bodies.lower.items() if key != "yield_profile"}
@@ -287,6 +302,7 @@ def sliding(
     long: bool = False,
     elastic: bool = False,
 ) -> Table:
+    """A body slides over a flat."""
     bodies = Bodies(draw, heated=heated, elastic=elastic)
     contact = Round(draw, bodies, draw.power(0.6, 3), line=line)
     case = base("sliding", bodies, FLAT, contact.shape)
@@ -307,15 +323,26 @@ def sliding(
 
 
 def fretting(
-    draw: Draw, *, heated: bool = False, wears: bool = False, rough: bool = False, line: bool = False, elastic: bool = False
+    draw: Draw,
+    *,
+    heated: bool = False,
+    wears: bool = False,
+    rough: bool = False,
+    line: bool = False,
+    elastic: bool = False,
 ) -> Table:
+    """A body oscillates on a flat."""
     bodies = Bodies(draw, heated=heated, elastic=elastic)
     contact = Round(draw, bodies, draw.power(0.5, 2.5), line=line)
     case = base("fretting", bodies, FLAT, contact.shape)
     case = with_motion(draw, case, heated=heated, wears=wears, least=0.1, most=0.7)
     friction = case["interface"]["friction"]
     whole = 1.4 * friction * contact.half**2 / contact.radius
-    case["fretting"] = {"load": contact.load, "cycles": draw.randint(1, 4), "steps_per_cycle": draw.choice([8, 12, 20, 40])}
+    case["fretting"] = {
+        "load": contact.load,
+        "cycles": draw.randint(1, 4),
+        "steps_per_cycle": draw.choice([8, 12, 20, 40]),
+    }
     if draw.random() < 0.6:
         case["fretting"]["displacement"] = whole * draw.power(0.2, 2)
     else:
@@ -377,7 +404,7 @@ def drawn(number: int) -> tuple[str, Table, float]:
     """Kind and case of a number, and how much work it is to be: cells times steps."""
     draw = Draw(f"forecast {number}")
     kind = list(KINDS)[number % len(KINDS)]
-    work = draw.power(5e4, 3e6)
+    work = draw.power(5e4, 8e6)
     case = KINDS[kind](draw)
     output = draw.random()
     if output < 0.2:

@@ -4,6 +4,7 @@
 #include "brinell/io/case_template.hpp"
 #include "brinell/io/citations.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/io/forecast.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "run_case.hpp"
@@ -61,15 +62,28 @@ catch (const InputError& error)
   throw InputError(text);
 }
 
+/// Tells time and memory of a run that is long or large.
+void print_forecast(const io::Case& c, const io::ScenarioPlan& plan)
+{
+  constexpr double is_long = 20.0, is_large = 1e9; // [s], [bytes]
+  const io::Forecast forecast = io::forecast(c, plan);
+  if (forecast.longest > is_long || forecast.memory > is_large)
+    fmt::print(stderr, "brinell: {}{}\n", io::forecast_text(forecast),
+               c.accuracy ? ", for the run with the given cells alone" : "");
+}
+
 } // namespace
 
 int run_command(const RunArguments& arguments)
 {
   const io::Case c = case_of(arguments);
   std::vector<io::Warning> printed = c.warnings;
-  for (io::Warning& warning : io::result_warnings(c, io::plan_case(c)))
+  const io::ScenarioPlan plan = io::plan_case(c);
+  for (io::Warning& warning : io::result_warnings(c, plan))
     printed.push_back(std::move(warning));
   print_warnings(c, printed);
+  if (!arguments.quiet)
+    print_forecast(c, plan);
   using Mode = io::ResultDirectory::Mode;
   const RunOptions options{arguments.directory.empty() ? default_folder(c) : std::filesystem::path(arguments.directory),
                            arguments.resume ? Mode::resume

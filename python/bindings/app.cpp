@@ -157,25 +157,21 @@ io::HeightTables height_tables(const std::map<std::string, Input>& maps)
 /// For bench/forecast.py.
 nb::dict workload(const io::Case& c)
 {
-  const auto plan = io::plan_case(c);
-  const simulation::Workload work = io::workload(c, plan);
-  const simulation::Course& course = work.course;
-  nb::dict result;
-  for (const auto& [name, steps] : {std::pair{"loading", course.loading},
-                                    {"unloading", course.unloading},
-                                    {"moving", course.moving},
-                                    {"again", course.again},
-                                    {"turns", course.turns}})
-    result[name] = steps;
-  for (const auto& [name, factors] : {std::pair{"factors", &work.factors}, {"amounts", &work.amounts}})
+  const simulation::Workload work = io::workload(c, io::plan_case(c));
+  const auto text = [](std::string_view name) { return nb::str(name.data(), name.size()); };
+  nb::dict factors, of_run, of_evaluation, result;
+  for (const simulation::Factor& factor : work.factors)
+    factors[text(factor.name)] = factor.value;
+  for (const simulation::Amount& amount : work.amounts)
   {
-    nb::dict named;
-    for (const simulation::Factor& factor : *factors)
-      named[nb::str(factor.name.data(), factor.name.size())] = factor.value;
-    result[name] = named;
+    of_run[text(amount.name)] = amount.of_run;
+    of_evaluation[text(amount.name)] = amount.of_evaluation;
   }
-  result["can_yield"] = work.can_yield;
-  result["memory"] = std::visit([](const simulation::Plan& p) { return p.memory_bytes; }, plan);
+  result["steps"] = work.steps;
+  result["factors"] = factors;
+  result["of_run"] = of_run;
+  result["of_evaluation"] = of_evaluation;
+  result["certainty"] = static_cast<int>(work.certainty);
   return result;
 }
 
@@ -192,6 +188,13 @@ std::vector<std::pair<std::string, std::string>> pairs(const std::vector<io::War
 
 void bind_app(nb::module_& m)
 {
+  nb::class_<io::Forecast>(m, "Forecast")
+      .def_ro("seconds", &io::Forecast::seconds)
+      .def_ro("shortest", &io::Forecast::shortest)
+      .def_ro("longest", &io::Forecast::longest)
+      .def_ro("evaluations", &io::Forecast::evaluations)
+      .def_ro("memory", &io::Forecast::memory)
+      .def_prop_ro("text", [](const io::Forecast& f) { return io::forecast_text(f); });
   bind_commands(m);
   bind_columns(m);
   nb::enum_<io::ResultDirectory::Mode>(m, "Mode")
@@ -215,6 +218,7 @@ void bind_app(nb::module_& m)
       .def("citation_lines", [](const io::Case& c) { return io::citation_lines(c); })
       .def("check_report", [](const io::Case& c) { return io::printable(io::check_report(c, io::plan_case(c))); })
       .def("workload", &workload)
+      .def_prop_ro("forecast", [](const io::Case& c) { return io::forecast(c, io::plan_case(c)); })
       .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none())
       .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(

@@ -66,6 +66,7 @@ if TYPE_CHECKING:
         IoError,
         MissingExtraError,
     )
+    from brinell.forecast import Forecast
     from brinell.materials import (
         RIGID,
         Hollomon,
@@ -118,6 +119,7 @@ __all__ = [
     "Dent",
     "Ellipsoid",
     "Flat",
+    "Forecast",
     "Fretting",
     "Grid",
     "GridError",
@@ -184,6 +186,7 @@ _MODULES = {
     "case": "Case CaseWarning ReplacementWarning ResolutionWarning",
     "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
     "MissingExtraError",
+    "forecast": "Forecast",
     "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
     "SofteningTable Swift SwiftMicrostrain Table Thermal Voce",
     "results": "Accuracy Run RunError RunWarning",

@@ -19,6 +19,7 @@ from brinell import _core
 from brinell._names import level_of_caller
 from brinell._values import HeightMaps, overrides_of, plain
 from brinell.errors import InputError
+from brinell.forecast import Forecast
 from brinell.stepping import Stepping
 
 with warnings.catch_warnings():  # in a notebook without ipywidgets tqdm warns and shows the bar of a terminal
@@ -218,6 +219,16 @@ class Case:
             InputError: the grid does not fit this machine.
         """
         return round(self._core.result_bytes)
+
+    @property
+    def forecast(self) -> Forecast:
+        """Time and memory of a run, as ``brinell check`` tells them before it.
+
+        Raises:
+            InputError: the grid does not fit this machine.
+        """
+        told = self._core.forecast
+        return Forecast(told.seconds, (told.shortest, told.longest), round(told.memory), told.text)
 
     def citations(self) -> list[str]:
         """References to cite: brinell and the papers behind the models of this case, one a line (``brinell cite``)."""

@@ -9,18 +9,6 @@
 namespace brinell::simulation
 {
 
-/// Properties of a scenario on which the run time depends most.
-struct Work
-{
-  double evaluations = 6.0;           ///< evaluations per step, roughly
-  bool yields_along_the_track = true; ///< false: material yields mostly under the present contact only
-};
-
-/// Run time on one core [s], from measured runs: time per cell of the yielding bodies and per evaluation, growing as N log N.
-/// Heated bodies count as some further evaluations; if no body yields only the contact is solved. Accurate to a factor of three.
-[[nodiscard]] double rough_seconds(const Plan& plan, const constitutive::Material& lower,
-                                   const constitutive::Material& upper, const Work& work);
-
 /// Bytes of the fields of one state: pressure and gap and, for each deformable body, the tensors of stress and plastic strain,
 /// their equivalents, and the surface.
 [[nodiscard]] double state_bytes(const Plan& plan, const constitutive::Material& lower,

@@ -6,21 +6,31 @@
 #include <string_view>
 #include <vector>
 
-/// Time of a run, foretold from its plan: docs/performance.md, bench/forecast.py.
+/// Time of a run, foretold from its plan: docs/performance.md. The constants are measured by bench/forecast.py.
 namespace brinell::simulation
 {
+
+/// Kinds of motion of the bodies.
+enum class RunKind
+{
+  indentation,
+  rolling,
+  tugging,
+  sliding,
+  fretting
+};
 
 /// Steps of a run by what they do, as each kind takes a different number of evaluations.
 struct Course
 {
-  double loading = 0.0;   ///< the drive rises at a place for the first time
-  double unloading = 0.0; ///< the drive falls for the first time
-  double moving = 0.0;    ///< the contact moves, or the surfaces slide, for the first time
-  double again = 0.0;     ///< repetitions: further cycles, passes and strokes, most of which is elastic
+  RunKind kind = RunKind::indentation;
+  double loading = 0.0;   ///< steps in which the drive rises at a place for the first time
+  double unloading = 0.0; ///< in which it falls for the first time
+  double moving = 0.0;    ///< in which the contact moves, or the surfaces slide, for the first time
+  double again = 0.0;     ///< of further cycles, passes and strokes, most of which is elastic
   double turns = 0.0;     ///< times that sliding begins or reverses, where friction is raised in increments of its own
   double mobilised = 1.0; ///< share of the friction that acts: less where the surfaces stick
   bool sticks = false;    ///< whether the surfaces may stick in places
-  bool by_load = true;    ///< whether a load is imposed, not an approach or a mean gap
 
   [[nodiscard]] double steps() const { return loading + unloading + moving + again; }
 };
@@ -39,17 +49,41 @@ struct Factor
   double value;
 };
 
+/// An amount of work that takes time in proportion: some of it for the run, some for each evaluation of the bodies.
+struct Amount
+{
+  std::string_view name;
+  double of_run = 0.0, of_evaluation = 0.0;
+};
+
+/// How well the time can be foretold.
+enum class Certainty
+{
+  elastic, ///< nothing is expected to yield
+  yields,
+  deep ///< far beyond yield, where increments may have to be split
+};
+
 /// Features of a run that decide about its time and are known before it.
 struct Workload
 {
-  Course course;
-  bool can_yield = false;
+  double steps = 0.0;
   std::vector<Factor> factors; ///< of the logarithm of the evaluations per step
-  std::vector<Factor> amounts; ///< of work: sizes per run, per step and per evaluation, see `workload`
+  std::vector<Amount> amounts; ///< of the time
+  Certainty certainty = Certainty::elastic;
 };
 
 /// @param half_width  of the contact along x, estimate [m]
 [[nodiscard]] Workload workload(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                                 const Plan& plan, double half_width, const Course& course, const Storage& storage);
+
+/// Time and memory of a run, before it.
+struct Forecast
+{
+  double evaluations = 0.0;             ///< of all steps
+  double seconds = 0.0;                 ///< processor time on one core
+  double shortest = 0.0, longest = 0.0; ///< range in which 95 of 100 runs like this one were [s]
+};
+[[nodiscard]] Forecast forecast(const Workload& work);
 
 } // namespace brinell::simulation

@@ -3,6 +3,7 @@
 
 #include "foundation/lanes.hpp"
 #include "halfspace/transform/coarser_surface.hpp"
+#include "layered_conduction.hpp"
 #include "require_thermal.hpp"
 
 #include <algorithm>
@@ -73,28 +74,47 @@ DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Therm
   return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
 }
 
+namespace
+{
+
+/// Number of layers in which heat is generated or spreads, with `together` of them as one.
+double layers_of_heat(const HeatedLayers& heated, double deepest, int together)
+{
+  if (heated.count == 0)
+    return 0.0;
+  const int count = (heated.count + together - 1) / together;
+  const double thickness = together * heated.thickness;
+  return static_cast<double>(count_of_layers(count, thickness, std::max(deepest, (count + 1) * thickness)));
+}
+
+} // namespace
+
 double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                       const WantedOfHeat& wanted)
 {
   constexpr double copies = 2.0;    // now and before the step
-  constexpr double of_layers = 3.0; // temperature now and before the step, and source
-  constexpr double layers_below = 15.0;
+  constexpr double of_layers = 3.0; // temperature, and amplitudes now and before the step
   const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted.deepest);
-  const auto lattice = [&](int px, int py, std::size_t kept, double layers)
+  const auto lattice = [&](int px, int py, const DepthWaves& kept, double layers)
   {
     const double rows = wanted.symmetry == Symmetry::none ? py : py / 2 + 1;
     const double blocks = std::ceil((px / 2 + 1) / static_cast<double>(lane_count));
-    return rows * blocks * sizeof(ComplexLanes) * (copies * static_cast<double>(kept) + of_layers * layers);
+    return rows * blocks * sizeof(ComplexLanes) *
+           (copies * static_cast<double>(kept.waves.size()) + of_layers * layers);
   };
-  const double layers = wanted.heated.count > 0 ? wanted.heated.count + layers_below : 0.0;
+  const double spread = reach_of_heat * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
+  const double deepest = (wanted.heated.count + 1) * wanted.heated.thickness + spread;
   const ImagesOfHeat images(grid, thermal, times.duration, wanted.images, waves.has_fields);
-  double bytes = lattice(images.period_x, images.period_y, waves.waves.size(), layers);
+  double bytes = lattice(images.period_x, images.period_y, waves, layers_of_heat(wanted.heated, deepest, 1));
   for (double distance = images.nearest; distance < images.end; distance *= 2.0)
   {
-    const std::size_t slow = waves.slower_than(images.decayed / distance).waves.size();
-    const double merged = wanted.images == HeatImages::coarse ? 0.5 * layers : layers; // see layers_for_images
+    const DepthWaves slow = waves.slower_than(images.decayed / distance);
+    const int together = wanted.images == HeatImages::coarse && wanted.heated.count > 0
+                             ? layers_together(wanted.heated.thickness, distance)
+                             : 1;
+    const double layers = layers_of_heat(wanted.heated, deepest, together);
     bytes +=
-        lattice(images.twice_x, images.twice_y, slow, merged) + lattice(images.once_x, images.once_y, slow, merged);
+        lattice(images.twice_x, images.twice_y, slow, layers) + lattice(images.once_x, images.once_y, slow, layers);
   }
   return bytes;
 }

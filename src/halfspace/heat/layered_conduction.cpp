@@ -54,6 +54,20 @@ std::vector<double> ends_of_layers(int heated, double thickness, double deepest)
 
 } // namespace
 
+std::size_t count_of_layers(int heated, double thickness, double deepest)
+{
+  return ends_of_layers(heated, thickness, deepest).size() - 1;
+}
+
+int layers_together(double thickness, double distance)
+{
+  constexpr double least_in_distance = 16.0;
+  int together = 1;
+  while (2 * together * thickness * least_in_distance <= distance)
+    together *= 2;
+  return together;
+}
+
 LayeredConduction::LayeredConduction(int heated, double thickness, double deepest)
     : heated_(static_cast<std::size_t>(heated)), thickness_(thickness),
       ends_(ends_of_layers(heated, thickness, deepest)), to_layers_(size(), size()), to_modes_(size(), size())
@@ -104,10 +118,7 @@ std::shared_ptr<const LayeredConduction> layers_for_images(const std::shared_ptr
 {
   if (!layers)
     return nullptr;
-  constexpr double least_in_distance = 16.0;
-  int together = 1;
-  while (2 * together * layers->thickness() * least_in_distance <= distance)
-    together *= 2;
+  const int together = layers_together(layers->thickness(), distance);
   if (together == 1)
     return layers;
   const int heated = (static_cast<int>(layers->heated()) + together - 1) / together;

@@ -65,6 +65,12 @@ private:
   RowsOfFour to_layers_, to_modes_;
 };
 
+/// Number of the layers of a `LayeredConduction`.
+[[nodiscard]] std::size_t count_of_layers(int heated, double thickness, double deepest);
+
+/// Number of layers that are one where images at a distance are removed: see `layers_for_images`.
+[[nodiscard]] int layers_together(double thickness, double distance);
+
 /// Layers for images at the distance `distance` [m]: two, four, ... times as thick as `layers`, at most a sixteenth of the
 /// distance. At such a distance the effect of heat depends on its amount and mean depth, and on its distribution in depth only to
 /// the second order in thickness/distance.

@@ -2,7 +2,7 @@
 #include "brinell/io/feasibility.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/simulation/estimates.hpp"
+#include "brinell/io/forecast.hpp"
 #include "io/scenarios/scenario_io.hpp"
 #include "result_size.hpp"
 
@@ -17,17 +17,6 @@ namespace brinell::io
 
 namespace
 {
-
-std::string duration_text(double seconds)
-{
-  if (seconds < 1.0)
-    return "less than a second";
-  if (seconds < 100.0)
-    return fmt::format("{:.0f} s", seconds);
-  if (seconds < 6000.0)
-    return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.0f} h", seconds / 3600.0);
-}
 
 std::string volume_text(const VolumeGrid& grid)
 {
@@ -160,51 +149,24 @@ std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan)
   return warnings;
 }
 
-namespace
-{
-
-/// Work of a case: that of its scenario. Under sharp tips, and where friction brings the surfaces to their strength, steps take
-/// about three times as many evaluations (medians of 700 runs: 15 instead of 5, and 9 to 32 instead of 5 to 7).
-simulation::Work work_of(const auto& scenario, const auto& plan)
-{
-  constexpr double hard = 3.0;
-  simulation::Work work;
-  const auto is_sharp = [](const simulation::ShapedBody& body)
-  {
-    return std::holds_alternative<simulation::Cone>(body.shape) ||
-           std::holds_alternative<simulation::Pyramid>(body.shape);
-  };
-  const std::vector<Warning> warnings = simulation::expected_quality(scenario, plan).warnings;
-  const bool flows = std::any_of(warnings.begin(), warnings.end(),
-                                 [](const Warning& warning) { return warning.key == "surface_flow"; });
-  if (flows || is_sharp(scenario.lower) || is_sharp(scenario.upper))
-    work.evaluations *= hard;
-  return work;
-}
-
-} // namespace
-
 std::string check_report(const Case& c, const ScenarioPlan& plan)
 {
   std::string head = fmt::format("# Resolved case of {}\n{}\n", c.file.string(), resolved_files(c.values).text);
   for (const std::string& note : c.notes)
     head += fmt::format("# {}\n", note);
   head += critical_report(c);
-  return head +
-         std::visit(
-             [&](const auto& scenario)
-             {
-               using Plan = decltype(simulation::plan(scenario));
-               const Plan& p = std::get<Plan>(plan);
-               return yield_report(scenario, p) + io_of(scenario).motion(scenario, p) + grid_report(p) +
-                      fmt::format("# Cost, roughly: {} of memory, {:.0f} bytes per cell of the bodies that are solved; "
-                                  "{} on one core\n",
-                                  size_text(p.memory_bytes), p.memory_bytes / solved_cells(p),
-                                  duration_text(simulation::rough_seconds(
-                                      p, scenario.lower.material, scenario.upper.material, work_of(scenario, p)))) +
-                      result_report(c, plan) + quality_report(scenario, p);
-             },
-             c.scenario);
+  const Forecast cost = forecast(c, plan);
+  return head + std::visit(
+                    [&](const auto& scenario)
+                    {
+                      using Plan = decltype(simulation::plan(scenario));
+                      const Plan& p = std::get<Plan>(plan);
+                      return yield_report(scenario, p) + io_of(scenario).motion(scenario, p) + grid_report(p) +
+                             fmt::format("# Cost: {}, {:.0f} bytes per cell of the bodies that are solved\n",
+                                         forecast_text(cost), cost.memory / solved_cells(p)) +
+                             result_report(c, plan) + quality_report(scenario, p);
+                    },
+                    c.scenario);
 }
 
 } // namespace brinell::io

@@ -173,12 +173,12 @@ simulation::Course course(const FrettingCase& f, const FrettingPlan& plan)
     mobilised = f.amplitude / (f.friction.coefficient * f.press.value);
   else if (f.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0)
     mobilised = std::min(1.0, f.amplitude / plan.sliding_displacement);
-  return {.loading = static_cast<double>(f.press_steps),
+  return {.kind = simulation::RunKind::fretting,
+          .loading = static_cast<double>(f.press_steps),
           .moving = f.cycles > 0 ? cycle : 0.0,
           .again = std::max(0.0, (f.cycles - 1.0) * cycle),
           .mobilised = mobilised,
-          .sticks = true,
-          .by_load = f.press.kind == Drive::Kind::load};
+          .sticks = true};
 }
 
 } // namespace

@@ -181,7 +181,7 @@ simulation::Course course(const IndentationCase& i, const IndentationPlan& plan)
 {
   const Drive::Kind kind = i.sequence.front().kind;
   const auto pressed = [&](double value) { return kind == Drive::Kind::mean_gap ? -value : value; };
-  simulation::Course course{.by_load = kind == Drive::Kind::load};
+  simulation::Course course{.kind = simulation::RunKind::indentation};
   const auto places = static_cast<double>(i.places.size());
   double before = kind == Drive::Kind::mean_gap ? -std::numeric_limits<double>::infinity() : 0.0;
   for (const Drive& drive : i.sequence)

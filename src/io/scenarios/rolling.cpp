@@ -232,13 +232,13 @@ void cite(Sources& sources, const RollingCase& r)
 simulation::Course course(const RollingCase& r, const RollingPlan& plan)
 {
   const bool slides = r.friction.coefficient > 0.0 && r.slide_to_roll != 0.0;
-  return {.loading = static_cast<double>(r.load_steps),
+  return {.kind = simulation::RunKind::rolling,
+          .loading = static_cast<double>(r.load_steps),
           .unloading = static_cast<double>(r.load_steps),
           .moving = static_cast<double>(plan.rolling_steps),
           .again = (r.passes - 1.0) * (plan.rolling_steps + 2.0 * r.load_steps),
           .turns = slides ? static_cast<double>(r.passes) : 0.0,
-          .sticks = r.creepage.has_value(),
-          .by_load = r.drive.kind == Drive::Kind::load};
+          .sticks = r.creepage.has_value()};
 }
 
 } // namespace

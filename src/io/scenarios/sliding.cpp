@@ -138,12 +138,12 @@ simulation::Course course(const SlidingCase& s, const SlidingPlan& plan)
 {
   const bool repeats = s.to_and_fro || s.domain.x.is_periodic();
   const double first = repeats ? plan.sliding_steps : static_cast<double>(s.strokes) * plan.sliding_steps;
-  return {.loading = static_cast<double>(s.press_steps),
+  return {.kind = simulation::RunKind::sliding,
+          .loading = static_cast<double>(s.press_steps),
           .unloading = static_cast<double>(s.press_steps),
           .moving = first,
           .again = static_cast<double>(s.strokes) * plan.sliding_steps - first,
-          .turns = s.friction.coefficient > 0.0 ? (s.to_and_fro ? static_cast<double>(s.strokes) : 1.0) : 0.0,
-          .by_load = s.press.kind == Drive::Kind::load};
+          .turns = s.friction.coefficient > 0.0 ? (s.to_and_fro ? static_cast<double>(s.strokes) : 1.0) : 0.0};
 }
 
 } // namespace

@@ -255,7 +255,7 @@ void cite(Sources& sources, const TuggingCase& t)
 simulation::Course course(const TuggingCase& t, const TuggingPlan& plan)
 {
   const double pass = plan.steps_per_pass + 1.0;
-  return {.moving = pass, .again = (t.passes - 1.0) * pass, .by_load = t.load.has_value()};
+  return {.kind = simulation::RunKind::tugging, .moving = pass, .again = (t.passes - 1.0) * pass};
 }
 
 } // namespace

@@ -180,6 +180,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   if (heats)
     plan.heat_times = heat_times(fretting, plan);
   const int shears = fretting.friction.coefficient > 0.0 ? 2 : (heats ? 1 : 0);
+  plan.is_textured = !are_smooth(fretting.lower, fretting.upper);
   plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver, shears,
                                    heats ? &fretting.heat : nullptr);
   return plan;

@@ -323,6 +323,7 @@ IndentationPlan plan(const IndentationCase& indentation)
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),
                           "indentation.steps");
+  plan.is_textured = !are_smooth(indentation.lower, indentation.upper);
   plan.memory_bytes = memory_bytes(plan, indentation.lower.material, indentation.upper.material, indentation.solver,
                                    indentation.friction.coefficient > 0.0 ? 1 : 0, nullptr);
   return plan;

@@ -149,6 +149,7 @@ RollingPlan plan(const RollingCase& rolling)
   if (heats)
     plan.heat_times = heat_times(rolling, plan);
   const int shears = rolling.friction.coefficient > 0.0 || heats ? (rolling.creepage ? 2 : 1) : 0;
+  plan.is_textured = !are_smooth(rolling.lower, rolling.upper);
   plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
                                    heats ? &rolling.heat : nullptr);
   return plan;

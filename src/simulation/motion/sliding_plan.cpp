@@ -164,6 +164,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
   if (heats)
     plan.heat_times = heat_times(sliding, plan);
+  plan.is_textured = !are_smooth(sliding.lower, sliding.upper);
   plan.memory_bytes =
       memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver,
                    sliding.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &sliding.heat : nullptr);

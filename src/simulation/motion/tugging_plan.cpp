@@ -304,6 +304,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
   if (heats)
     plan.heat_times = heat_times(tugging, plan, cells);
+  plan.is_textured = !are_smooth(tugging.lower, tugging.upper);
   plan.memory_bytes =
       memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver,
                    tugging.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &tugging.heat : nullptr);

@@ -3,45 +3,11 @@
 
 #include "brinell/reference/hertz.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace brinell::simulation
 {
-
-namespace
-{
-
-/// Time of one evaluation of a grid [s]: proportional to N log N of the padded grid, in which open axes are twice as long.
-double evaluation_seconds(const SurfaceGrid& surface, std::size_t cells)
-{
-  constexpr double per_cell_level = 1e-9; // [s], measured: 0.4e-9 to 1.1e-9, and 2e-9 in very short runs
-  const double padding = (surface.is_periodic_x() ? 1.0 : 2.0) * (surface.is_periodic_y() ? 1.0 : 2.0);
-  const double points = padding * static_cast<double>(cells);
-  return points * std::log2(points + 2.0) * per_cell_level;
-}
-
-} // namespace
-
-double rough_seconds(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
-                     const Work& work)
-{
-  constexpr double of_contact = 0.05, of_heat = 2.5; // cost relative to an evaluation of a body
-  double step = 0.0;
-  for (const auto& [body, grid] : {std::pair{&lower, &plan.lower}, std::pair{&upper, &plan.upper}})
-  {
-    if (grid == &plan.upper && plan.twin != elastoplastic::Twin::none)
-      continue;
-    const std::size_t cells =
-        work.yields_along_the_track ? grid->size() : plan.contact.size() * static_cast<std::size_t>(grid->nz);
-    const double evaluations =
-        (body->is_plastic() ? 1.0 : of_contact) * work.evaluations + (body->thermal ? of_heat : 0.0);
-    step += evaluations * evaluation_seconds(grid->surface, cells);
-  }
-  constexpr double symmetric_share = 0.6; // time for half of a body over that for the whole body
-  return (plan.symmetry == Symmetry::none ? 1.0 : symmetric_share) * plan.steps * step;
-}
 
 double state_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper)
 {

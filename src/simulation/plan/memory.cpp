@@ -42,14 +42,22 @@ double body_bytes(const VolumeGrid& grid, const constitutive::Material& material
   return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
+/// How far the elastic pressure of smooth bodies is above that at first yield; of textured ones it is not known.
+double over_yield(const Plan& plan)
+{
+  constexpr double unknown = 3.0;
+  return plan.is_textured || plan.peak_over_yield == 0.0 ? unknown : plan.peak_over_yield;
+}
+
 /// The longest window of a body: its operators, the stress in it, and the changes of strain and stress. Its length follows from an
 /// estimate: contact and flow of a step reach over about two thirds of the grid of the contact (measured).
 double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material,
                     const elastoplastic::Settings& solver, int shears)
 {
-  constexpr double of_contact = 0.65;
+  constexpr double of_contact = 0.65, begins_to_yield = 0.9;
   constexpr int elastic_steps = 2; // the steps before the first flow request no window
   const bool is_used = solver.shortcuts && solver.windows && material.is_plastic() && !grid.surface.is_periodic_x() &&
+                       over_yield(plan) > begins_to_yield &&
                        plan.steps > elastic_steps + static_cast<int>(elastoplastic::requests_without_window);
   const auto window =
       elastoplastic::window_for(static_cast<int>(std::ceil(of_contact * plan.contact.nx)), grid.surface.nx);
@@ -61,15 +69,25 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
   return halfspace::memory_of_half_space(part, shears).operators + field_bytes(part, fields);
 }
 
-/// Active cells in an increment, with the history of the acceleration. Their number is estimated: a plastic zone fills a smaller
-/// share of a volume than of a plane section, and in a period little more than the material under peaks. Without short cuts all
-/// cells are active.
+/// Share of the cells near yield, an estimate from measured runs: a plastic zone fills a smaller share of a volume than of a plane
+/// section, and in a period little more than the material under peaks.
+double share_near_yield(const VolumeGrid& grid, const Plan& plan)
+{
+  if (grid.surface.is_periodic())
+    return std::min(0.15, 0.75 * plan.contact_share);
+  const double over = over_yield(plan);
+  if (is_plane(grid.surface))
+    return 0.5 * std::clamp((over - 0.85) / 0.6, 0.0, 1.0) + 0.3 * std::clamp((over - 1.9) / 0.4, 0.0, 1.0);
+  const double begun = std::clamp((over - 0.8) / 0.3, 0.0, 1.0);
+  return begun * std::min(0.2, 0.05 + 0.06 * std::max(0.0, over - 1.0)); // most under a tip, where `over` is infinite
+}
+
+/// Active cells in an increment, with the history of the acceleration. Without short cuts all cells are active.
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
                    const elastoplastic::Settings& solver, const Plan& plan)
 {
   const double computed = plan.symmetry == Symmetry::none ? 1.0 : 0.5;
-  const double near_yield = is_plane(grid.surface) ? 0.5 : std::min(0.15, 0.75 * plan.contact_share);
-  const double active_share = solver.shortcuts ? near_yield : computed;
+  const double active_share = solver.shortcuts ? share_near_yield(grid, plan) : computed;
   const double values_per_cell = 5.0 * (3.0 * solver.anderson_depth + 11.0);
   return material.is_plastic() ? field_bytes(grid, active_share * values_per_cell) : 0.0;
 }
@@ -156,12 +174,15 @@ double contact_bytes(const SurfaceGrid& grid, int shears)
 
 } // namespace
 
+double growth_of_line(double over_yield)
+{
+  return 1.0 + 0.35 * std::clamp((over_yield - 1.9) / 0.4, 0.0, 1.0);
+}
+
 double MemoryParts::total() const
 {
-  constexpr double program = 19e6;       // with its libraries and the writers of files
-  constexpr double fragmentation = 1.05; // unused memory between the fields
-  return program +
-         fragmentation * (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
+  constexpr double program = 17e6; // with its libraries and the writers of files
+  return program + growth * (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
 }
 
 MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
@@ -169,7 +190,9 @@ MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, 
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
-  MemoryParts parts{.contact = contact_bytes(plan.contact, shears)};
+  const bool is_line = is_plane(plan.contact) && (lower.is_plastic() || upper.is_plastic());
+  MemoryParts parts{.growth = is_line && !plan.is_textured ? growth_of_line(plan.peak_over_yield) : 1.0,
+                    .contact = contact_bytes(plan.contact, shears)};
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
   {
     parts.output = std::max(parts.output, output_bytes(*grid, *material, shears));

@@ -7,9 +7,15 @@
 namespace brinell::simulation
 {
 
+/// Factor by which the grids of bodies that touch along a line grow during a run, an estimate from measured ones: below a line
+/// plastic strain reaches deeper than planned.
+/// @param over_yield  elastic pressure over that at first yield
+[[nodiscard]] double growth_of_line(double over_yield);
+
 /// Parts of the memory of a run [bytes].
 struct MemoryParts
 {
+  double growth = 1.0;    ///< factor on all of them, as grids grow
   double contact = 0.0;   ///< fields and transforms of the contact
   double operators = 0.0; ///< kernels of the bodies
   double bodies = 0.0;    ///< their states and spectra

@@ -2,6 +2,7 @@
 #include "brinell/simulation/forecast.hpp"
 
 #include "brinell/simulation/first_yield.hpp"
+#include "constitutive/lane_return.hpp"
 #include "elastoplastic/body/window.hpp"
 #include "footprint.hpp"
 #include "foundation/fft.hpp"
@@ -41,11 +42,12 @@ SurfaceGrid evaluated(const Numerics& numerics, const Plan& plan, const SurfaceG
   return part;
 }
 
-/// The softer material, and what its yield depends on.
+/// The material that yields first, and what the evaluations depend on.
 struct Softest
 {
   double yield = std::numeric_limits<double>::infinity(); ///< initial yield stress [Pa]
-  double growth = 0.0; ///< of the yield stress over 5 % of plastic strain, relative to it
+  double over_weakest = 1.0; ///< initial yield stress relative to that at the depth where it is least
+  double growth = 0.0;       ///< of the yield stress over 5 % of plastic strain, relative to it
   bool is_kinematic = false;
 };
 
@@ -63,7 +65,8 @@ Softest softest(const ShapedBody& lower, const ShapedBody& upper, double depth)
       continue;
     const double later =
         factor * std::visit([](const auto& law) { return law.yield_stress_at(0.05); }, *body->material.hardening);
-    found = {yield, later / yield - 1.0, !body->material.kinematic.empty()};
+    found = {yield, factor / smallest_yield_factor(body->material), later / yield - 1.0,
+             !body->material.kinematic.empty()};
   }
   return found;
 }
@@ -100,118 +103,199 @@ double slope_of_tip(const Shape& shape)
   return 0.0;
 }
 
+/// Bodies, surfaces and motion of a run, from which factors and amounts follow.
+struct Situation
+{
+  const Numerics& numerics;
+  const ShapedBody &lower, &upper;
+  const Plan& plan;
+  const Course& course;
+  double half_width; ///< of the contact along x [m]
+  Softest soft = softest(lower, upper, 0.5 * half_width);
+  bool is_smooth = are_smooth(lower, upper);
+  bool is_of_flats = plan.contact.is_periodic(); ///< rough ones
+  bool is_line = is_plane(plan.contact);
+  bool heats = is_heated(numerics, lower, upper);
+  double friction = numerics.friction.coefficient;
+  double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
+  double tip = std::max(slope_of_tip(lower.shape), slope_of_tip(upper.shape)); ///< slope; 0 without one
+
+  [[nodiscard]] bool can_yield() const { return std::isfinite(soft.yield); }
+  [[nodiscard]] double severity() const;
+  [[nodiscard]] double shear() const;
+};
+
+/// How far the pressure is above that at first yield: of smooth bodies, or of their roughness.
+double Situation::severity() const
+{
+  if (!can_yield())
+    return 0.0;
+  if (tip > 0.0)
+    return 0.5 * modulus * tip / (1.1 * soft.yield);
+  // Peak pressure of waves that are just flattened (Westergaard), over that of a round contact at first yield.
+  const double of_texture = 0.5 * modulus * std::numbers::sqrt2 * slope_of(lower, upper) / (1.6 * soft.yield);
+  if (is_of_flats)
+  {
+    constexpr double flattened = 0.25; // share of contact from which on the waves press on each other
+    return of_texture * std::pow(std::min(1.0, plan.contact_share / flattened), 0.4);
+  }
+  // Where surfaces stick, friction is not all there that would make them yield earlier.
+  const double frictionless = std::sqrt(plan.first_yield / plan.scales.displacement);
+  const double mobilised = std::min(1.0, course.mobilised);
+  const double smooth = plan.peak_over_yield / soft.over_weakest * (frictionless + (1.0 - frictionless) * mobilised);
+  if (is_smooth)
+    return smooth;
+  return smooth > 0.0 ? std::hypot(smooth, 0.5 * std::min(of_texture, 3.0 * smooth)) : of_texture;
+}
+
+/// Shear that acts, over the shear yield stress.
+double Situation::shear() const
+{
+  constexpr double hardness = 2.8, most = 1.7;
+  if (friction == 0.0 || !can_yield())
+    return 0.0;
+  const double pressure = std::min(plan.peak_pressure, hardness * soft.yield);
+  return std::min(most, friction * pressure * std::numbers::sqrt3 / soft.yield) * std::min(1.0, course.mobilised);
+}
+
+/// Severities between which contacts begin to yield: nothing does below, and all do above.
+constexpr double begins_to_yield = 0.8, yields = 1.25;
+/// From which on increments may have to be split.
+constexpr double is_deep = 8.0;
+
+std::vector<Factor> factors_of(const Situation& s, double severity)
+{
+  const Course& course = s.course;
+  const double steps = course.steps();
+  const double over = std::log(std::max(severity, 1.0)), soft = std::exp(-2.0 * s.soft.growth), shear = s.shear();
+  const auto is = [&](RunKind kind) { return course.kind == kind ? 1.0 : 0.0; };
+  const double presses = is(RunKind::indentation), frets = is(RunKind::fretting),
+               passes = is(RunKind::rolling) + is(RunKind::sliding), line = s.is_line ? 1.0 : 0.0,
+               flats = s.is_of_flats && !s.is_smooth ? 1.0 : 0.0, tip = s.tip > 0.0 ? 1.0 : 0.0;
+  const bool both =
+      s.lower.material.is_plastic() && s.upper.material.is_plastic() && s.plan.twin == elastoplastic::Twin::none;
+  std::vector<Factor> factors{{"indentation", presses},
+                              {"rolling", is(RunKind::rolling)},
+                              {"tugging", is(RunKind::tugging)},
+                              {"sliding", is(RunKind::sliding)},
+                              {"fretting", frets},
+                              {"severity of indentation", presses * over},
+                              {"severity of rolling", is(RunKind::rolling) * over},
+                              {"severity of tugging", is(RunKind::tugging) * over},
+                              {"severity of sliding", is(RunKind::sliding) * over},
+                              {"severity of fretting", frets * over},
+                              {"severity that is deep", std::log(std::max(severity / is_deep, 1.0))},
+                              {"severity under a tip", tip * over},
+                              {"severity without hardening", over * soft},
+                              {"severity of a line", line * over},
+                              {"severity of flats", flats * over},
+                              {"no hardening", soft},
+                              {"shear", shear},
+                              {"shear near its limit", std::max(0.0, shear - 0.8)},
+                              {"line", line},
+                              {"tip", tip},
+                              {"flats", flats},
+                              {"contact of flats", flats * std::log(s.plan.contact_share / 0.1)},
+                              {"rough", s.is_smooth || s.is_of_flats ? 0.0 : 1.0},
+                              {"softness", s.can_yield() ? std::log(s.modulus / s.soft.yield / 250.0) : 0.0},
+                              {"resolution", std::log(s.half_width / s.plan.contact.dx / 8.0)},
+                              {"kinematic hardening", s.soft.is_kinematic ? 1.0 : 0.0},
+                              {"both bodies", both ? 1.0 : 0.0},
+                              {"wear", s.numerics.wear.wears() ? 1.0 : 0.0},
+                              {"heat", s.heats ? 1.0 : 0.0},
+                              {"steps of loading", presses * std::log(std::max(1.0, course.loading) / 8.0)},
+                              {"unloading", presses * course.unloading / steps},
+                              {"again", course.again / steps},
+                              {"pressing before a motion", passes * (course.loading + course.unloading) / steps},
+                              {"pressing before fretting", frets * course.loading / steps},
+                              {"turns", passes * std::log(1.0 + course.turns * 4.0 * shear / steps)}};
+  const double share = std::clamp((severity - begins_to_yield) / (yields - begins_to_yield), 0.0, 1.0);
+  for (Factor& factor : factors)
+    factor.value *= share;
+  return factors;
+}
+
+/// Sums over the bodies that are solved, in transforms of planes and in cells, both in units of 1e9.
+struct Sizes
+{
+  double transforms = 0.0, cells = 0.0, nonlinear_cells = 0.0; ///< of an evaluation of bodies that may yield
+  double operators = 0.0, output = 0.0, heated_layers = 0.0;
+};
+
+Sizes sizes_of(const Situation& s)
+{
+  const double unit = 1e-9 * (s.is_line && s.can_yield() ? growth_of_line(s.severity()) : 1.0);
+  Sizes sizes;
+  for (const auto& [body, grid] : {std::pair{&s.lower, &s.plan.lower}, {&s.upper, &s.plan.upper}})
+  {
+    if (body->material.elastic.is_rigid())
+      continue;
+    const double all = unit * transform(grid->surface) * grid->nz;
+    sizes.output += all;
+    if (s.plan.twin != elastoplastic::Twin::none && grid == &s.plan.upper)
+      continue;
+    sizes.operators += all;
+    if (!body->material.is_plastic())
+      continue;
+    const bool is_linear =
+        body->material.kinematic.empty() && s.numerics.solver.integration == elastoplastic::Integration::path &&
+        std::visit([]<typename Law>(const Law&) { return constitutive::is_linear<Law>; }, *body->material.hardening);
+    const double cells = unit * static_cast<double>(grid->size());
+    sizes.transforms += unit * transform(evaluated(s.numerics, s.plan, grid->surface)) * grid->nz;
+    sizes.cells += cells;
+    sizes.nonlinear_cells += is_linear ? 0.0 : cells;
+    sizes.heated_layers += s.heats && body->material.thermal ? all : 0.0;
+  }
+  return sizes;
+}
+
+std::vector<Amount> amounts_of(const Situation& s, const Storage& storage)
+{
+  constexpr double unit = 1e-9;
+  constexpr double share_of_half = 0.6; // time for one side of y = 0 over that for both
+  const Sizes sizes = sizes_of(s);
+  const double part = s.plan.symmetry == Symmetry::none ? 1.0 : share_of_half, steps = s.course.steps();
+  const double line = s.is_line ? 1.0 : 0.0, shears = s.friction > 0.0 ? 1.0 : 0.0;
+  const double contact = unit * transform(s.plan.contact);
+  const bool is_steady = s.numerics.heat.regime == elastoplastic::HeatRegime::steady;
+  const double heat =
+      s.heats
+          ? unit * memory_parts(s.plan, s.lower.material, s.upper.material, s.numerics.solver, 1, &s.numerics.heat).heat
+          : 0.0;
+  return {{"start", 1.0, 0.0},
+          {"steps", steps, 0.0},
+          {"evaluations", 0.0, s.can_yield() ? 1.0 : 0.0},
+          {"transforms", 0.0, part * sizes.transforms},
+          {"cells", 0.0, part * sizes.cells},
+          {"cells of nonlinear laws", 0.0, part * sizes.nonlinear_cells},
+          {"cells of a line", 0.0, line * sizes.cells},
+          {"cells of a line, of nonlinear laws", 0.0, line * sizes.nonlinear_cells},
+          {"contact", 0.0, contact},
+          {"contact of rough surfaces", 0.0, s.is_smooth ? 0.0 : contact},
+          {"contact under friction", 0.0, shears * contact},
+          {"contact that sticks", 0.0, s.course.sticks ? contact : 0.0},
+          {"friction", 0.0, shears},
+          {"operators", sizes.operators, 0.0},
+          {"states", storage.states, 0.0},
+          {"fields of states", storage.states * sizes.output, 0.0},
+          {"bytes", unit * storage.bytes, 0.0},
+          {"heat", is_steady ? 0.0 : heat * steps, 0.0},
+          {"heated layers", is_steady ? 0.0 : sizes.heated_layers * steps, 0.0},
+          {"steady heat", is_steady ? heat : 0.0, 0.0},
+          {"steps of steady heat", is_steady ? heat * steps : 0.0, 0.0}};
+}
+
 } // namespace
 
 Workload workload(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, const Plan& plan,
                   double half_width, const Course& course, const Storage& storage)
 {
-  Workload work;
-  work.course = course;
-  work.can_yield = lower.material.is_plastic() || upper.material.is_plastic();
-  const double friction = numerics.friction.coefficient;
-  const bool heats = is_heated(numerics, lower, upper);
-
-  double whole = 0.0, window = 0.0, cells = 0.0, operators = 0.0, output = 0.0, heated = 0.0, heated_layers = 0.0;
-  double plastic_bodies = 0.0;
-  for (const auto& [body, grid] : {std::pair{&lower, &plan.lower}, {&upper, &plan.upper}})
-  {
-    if (body->material.elastic.is_rigid())
-    {
-      if (heats && body->material.thermal)
-        heated += transform(grid->surface);
-      continue;
-    }
-    const double per_layer = transform(grid->surface);
-    output += per_layer * grid->nz;
-    const bool is_twin = plan.twin != elastoplastic::Twin::none && grid == &plan.upper;
-    if (!is_twin)
-      operators += per_layer * grid->nz;
-    if (is_twin)
-      continue;
-    if (heats && body->material.thermal)
-    {
-      heated += per_layer;
-      heated_layers += body->material.is_plastic() ? per_layer * grid->nz : 0.0;
-    }
-    if (!body->material.is_plastic())
-      continue;
-    plastic_bodies += 1.0;
-    whole += per_layer * grid->nz;
-    window += transform(evaluated(numerics, plan, grid->surface)) * grid->nz;
-    cells += static_cast<double>(grid->size());
-  }
-  const double half = plan.symmetry == Symmetry::none ? 0.0 : 1.0;
-  work.amounts = {{"whole", whole},
-                  {"window", window},
-                  {"symmetric", half},
-                  {"cells", cells},
-                  {"contact", transform(plan.contact)},
-                  {"operators", operators},
-                  {"output", output},
-                  {"states", storage.states},
-                  {"bytes", storage.bytes},
-                  {"heated", heated},
-                  {"heated_layers", heated_layers},
-                  {"steady", heats && numerics.heat.regime == elastoplastic::HeatRegime::steady ? 1.0 : 0.0},
-                  {"shears", friction > 0.0 ? 1.0 : 0.0},
-                  {"first_yield_share", plan.scales.gap > 0.0 ? plan.first_yield / plan.scales.gap : 1.0},
-                  {"contact_share", plan.contact_share}};
-
-  const MemoryParts memory = memory_parts(plan, lower.material, upper.material, numerics.solver,
-                                          friction > 0.0 || heats ? 1 : 0, heats ? &numerics.heat : nullptr);
-  for (const auto& [name, value] : {Factor{"m_contact", memory.contact},
-                                    {"m_operators", memory.operators},
-                                    {"m_bodies", memory.bodies},
-                                    {"m_windows", memory.windows},
-                                    {"m_heat", memory.heat},
-                                    {"m_trials", memory.trials},
-                                    {"m_output", memory.output},
-                                    {"m_checkpoint", memory.checkpoint}})
-    work.amounts.push_back({name, value});
-
-  const Softest soft = softest(lower, upper, 0.5 * half_width);
-  const double weakest = std::min(
-      lower.material.is_plastic()
-          ? smallest_yield_factor(lower.material) * constitutive::initial_yield_stress(*lower.material.hardening)
-          : 1e300,
-      upper.material.is_plastic()
-          ? smallest_yield_factor(upper.material) * constitutive::initial_yield_stress(*upper.material.hardening)
-          : 1e300);
-  const double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
-  const double slope = std::max(slope_of_tip(lower.shape), slope_of_tip(upper.shape));
-  const double mean_pressure_at_yield = 1.1 * soft.yield;
-  double over_yield = plan.peak_over_yield;
-  if (slope > 0.0)
-    over_yield = 0.5 * modulus * slope / mean_pressure_at_yield;
-  const double pressure = std::min(plan.peak_pressure, 2.8 * soft.yield);
-  const auto waves = cells_per_shortest_wave(lower, upper, plan.contact.dx, plan.contact.dy);
-  const bool is_smooth = are_smooth(lower, upper);
-  work.factors = {{"over_yield", over_yield},
-                  {"softness", modulus / soft.yield},
-                  {"growth", soft.growth},
-                  {"kinematic", soft.is_kinematic ? 1.0 : 0.0},
-                  {"friction", friction},
-                  {"shear", friction * pressure / (soft.yield / std::numbers::sqrt3)},
-                  {"tip", slope > 0.0 ? 1.0 : 0.0},
-                  {"rough", is_smooth ? 0.0 : 1.0},
-                  {"waves", waves.value_or(0.0)},
-                  {"plane", is_plane(plan.contact) ? 1.0 : 0.0},
-                  {"periodic", plan.contact.is_periodic() ? 1.0 : 0.0},
-                  {"resolution", half_width / plan.contact.dx},
-                  {"loading", course.loading},
-                  {"by_load", course.by_load ? 1.0 : 0.0},
-                  {"plastic_bodies", plastic_bodies},
-                  {"wear", numerics.wear.wears() ? 1.0 : 0.0},
-                  {"heat", heats ? 1.0 : 0.0},
-                  {"tolerance", numerics.solver.yield_tolerance},
-                  {"sticks", course.sticks ? 1.0 : 0.0},
-                  {"mobilised", course.mobilised},
-                  {"frictionless", std::sqrt(plan.first_yield / plan.scales.displacement)},
-                  {"profile", weakest / soft.yield},
-                  {"texture", 0.5 * modulus * std::numbers::sqrt2 * slope_of(lower, upper) / (1.6 * soft.yield)},
-                  {"contact_share", plan.contact_share},
-                  {"depth", plan.lower.nz * plan.lower.dz / half_width}};
-  return work;
+  const Situation situation{numerics, lower, upper, plan, course, half_width};
+  const double severity = situation.severity();
+  const Certainty certainty = severity < begins_to_yield ? Certainty::elastic
+                              : severity < is_deep       ? Certainty::yields
+                                                         : Certainty::deep;
+  return {course.steps(), factors_of(situation, severity), amounts_of(situation, storage), certainty};
 }
 
 } // namespace brinell::simulation

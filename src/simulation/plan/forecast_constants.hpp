@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/forecast.hpp"
+
+#include <array>
+
+/// Written by bench/forecast.py fit; do not edit.
+namespace brinell::simulation::measured
+{
+
+/// Logarithm of the evaluations per step for one of each factor.
+inline constexpr std::array<Factor, 35> of_factors{{
+    {"indentation", 1.01},
+    {"rolling", 1.157},
+    {"tugging", 0.9392},
+    {"sliding", 1.093},
+    {"fretting", 0.8261},
+    {"severity of indentation", 0.7543},
+    {"severity of rolling", 0.6697},
+    {"severity of tugging", 0.9149},
+    {"severity of sliding", 0.8008},
+    {"severity of fretting", 0.405},
+    {"severity that is deep", -0.1951},
+    {"severity under a tip", -0.2034},
+    {"severity without hardening", 0.3031},
+    {"severity of a line", 0.5908},
+    {"severity of flats", -0.2181},
+    {"no hardening", 0.2837},
+    {"shear", 0.05081},
+    {"shear near its limit", 0.2735},
+    {"line", 0.08029},
+    {"tip", 0.09108},
+    {"flats", 0.3505},
+    {"contact of flats", 0.1216},
+    {"rough", 0.2238},
+    {"softness", 0.0792},
+    {"resolution", 0.1059},
+    {"kinematic hardening", -0.04565},
+    {"both bodies", 0.04284},
+    {"wear", 0.08627},
+    {"heat", 0.09425},
+    {"steps of loading", -0.4175},
+    {"unloading", -0.6651},
+    {"again", -0.3708},
+    {"pressing before a motion", -0.172},
+    {"pressing before fretting", 0.644},
+    {"turns", 0.09733},
+}};
+
+/// Seconds for one of each amount.
+inline constexpr std::array<Factor, 21> of_amounts{{
+    {"start", 0.02362},
+    {"steps", 0},
+    {"evaluations", 0.0001154},
+    {"transforms", 1.557},
+    {"cells", 0.05586},
+    {"cells of nonlinear laws", 9.313},
+    {"cells of a line", 79.01},
+    {"cells of a line, of nonlinear laws", 36.14},
+    {"contact", 1.259},
+    {"contact of rough surfaces", 0},
+    {"contact under friction", 13.26},
+    {"contact that sticks", 19.21},
+    {"friction", 4.076e-05},
+    {"operators", 6.561},
+    {"states", 0.01096},
+    {"fields of states", 4.446},
+    {"bytes", 1.474},
+    {"heat", 0.1882},
+    {"heated layers", 1.323},
+    {"steady heat", 14.26},
+    {"steps of steady heat", 0},
+}};
+
+/// Factor within which 95 of 100 times are, by `Certainty`.
+inline constexpr std::array<double, 3> spread{1.5, 2.1, 9.4};
+
+} // namespace brinell::simulation::measured
