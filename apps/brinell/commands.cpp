@@ -66,8 +66,9 @@ catch (const InputError& error)
 int run_command(const RunArguments& arguments)
 {
   const io::Case c = case_of(arguments);
+  const io::ScenarioPlan plan = io::plan_case(c); // throws before anything is written if the case cannot be computed
   std::vector<io::Warning> printed = c.warnings;
-  for (io::Warning& warning : io::result_warnings(c, io::plan_case(c)))
+  for (io::Warning& warning : io::result_warnings(c, plan))
     printed.push_back(std::move(warning));
   print_warnings(c, printed);
   using Mode = io::ResultDirectory::Mode;
@@ -101,7 +102,7 @@ int run_command(const RunArguments& arguments)
   monitor.wants_stop = [] { return InterruptGuard::signal() != 0; };
   try
   {
-    const RunReport report = run_case(c, options, monitor);
+    const RunReport report = run_case(c, plan, options, monitor);
     progress.reset();
     if (!arguments.quiet)
       fmt::print("{}results in {}\n", report.text, folder);
