@@ -59,7 +59,8 @@ private:
 
 /// Text that the program prints about a finished run.
 template <typename Summary>
-std::string report_text(const io::Case& c, const Summary& summary, const io::RunInfo& info)
+std::string report_text(const io::Case& c, const io::ScenarioPlan& plan, const Summary& summary,
+                        const io::RunInfo& info)
 {
   std::string text =
       fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, info.wall_time);
@@ -67,6 +68,8 @@ std::string report_text(const io::Case& c, const Summary& summary, const io::Run
     text += fmt::format("{} increments had to be split\n", summary.split_increments);
   text += fmt::format("{}energy balance error {:.2e}\n{}\n", io::results_text(c, summary), summary.energy_balance_error,
                       simulation::resolution_text(info.quality.resolution));
+  if (const std::string left_out = io::left_out_text(c, plan); !left_out.empty())
+    text += left_out + "\n";
   return info.accuracy ? text + accuracy_text(*info.accuracy) : text;
 }
 
@@ -150,7 +153,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));
 
-  report.report = {report_text(c, summary, info), info.quality.warnings};
+  report.report = {report_text(c, any_plan, summary, info), info.quality.warnings};
   return report;
 }
 

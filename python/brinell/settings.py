@@ -210,7 +210,8 @@ class Output(_Table):
         snapshots: steps whose fields are stored in addition to the final state: "none", "aligned", "all", "every 5", or
             a list of step numbers.
         fields: fields of the stored states: "all"; "surface", all fields on surfaces; names such as "von_mises_stress";
-            or a list of these. None: all, as far as the result stays below 200 MB.
+            or a list of these. None: all, as far as the result stays below 200 MB; if neither body can yield, only
+            those on surfaces unless a depth, a plane or points ask for more.
         bodies: bodies whose fields are stored: "both", "lower" or "upper".
         depth: depth down to which layers are stored [m].
         region_x: first and last x of the stored columns, on the surface of each body [m]; equal numbers store one.

@@ -27,30 +27,28 @@ double evaluation_seconds(const SurfaceGrid& surface, std::size_t cells)
 double rough_seconds(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
                      const Work& work)
 {
-  constexpr double of_contact = 0.05, of_heat = 2.5; // cost relative to an evaluation of a body
-  double step = 0.0;
+  constexpr double of_elastic_body = 0.05, of_heat = 2.5, of_output = 4.0; // relative to an evaluation of a body
+  constexpr double of_contact = 25.0;  // likewise of a layer: contact in a step in which nothing can yield
+  constexpr double write_rate = 1.5e8; // [bytes/s]
+  const bool can_yield = lower.is_plastic() || upper.is_plastic();
+  double step = can_yield ? 0.0 : of_contact * evaluation_seconds(plan.contact, plan.contact.size()), output = 0.0;
   for (const auto& [body, grid] : {std::pair{&lower, &plan.lower}, std::pair{&upper, &plan.upper}})
   {
+    if (!body->elastic.is_rigid())
+      output += of_output * evaluation_seconds(grid->surface, grid->size());
     if (grid == &plan.upper && plan.twin != elastoplastic::Twin::none)
       continue;
-    const std::size_t cells =
-        work.yields_along_the_track ? grid->size() : plan.contact.size() * static_cast<std::size_t>(grid->nz);
-    const double evaluations =
-        (body->is_plastic() ? 1.0 : of_contact) * work.evaluations + (body->thermal ? of_heat : 0.0);
-    step += evaluations * evaluation_seconds(grid->surface, cells);
+    const std::size_t columns = work.yields_along_the_track ? grid->surface.size() : plan.contact.size();
+    const double evaluations = (body->is_plastic() ? 1.0
+                                : can_yield        ? of_elastic_body
+                                                   : 0.0) *
+                                   work.evaluations +
+                               (body->thermal ? of_heat : 0.0);
+    step += evaluations * evaluation_seconds(grid->surface, columns * static_cast<std::size_t>(plan.layers));
   }
   constexpr double symmetric_share = 0.6; // time for half of a body over that for the whole body
-  return (plan.symmetry == Symmetry::none ? 1.0 : symmetric_share) * plan.steps * step;
-}
-
-double state_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper)
-{
-  constexpr double fields_per_cell = 14.0;
-  double numbers = 2.0 * static_cast<double>(plan.contact.size());
-  for (const auto& [body, grid] : {std::pair{&lower, &plan.lower}, std::pair{&upper, &plan.upper}})
-    if (!body->elastic.is_rigid())
-      numbers += fields_per_cell * static_cast<double>(grid->size()) + static_cast<double>(grid->surface.size());
-  return numbers * sizeof(double);
+  return (plan.symmetry == Symmetry::none ? 1.0 : symmetric_share) * plan.steps * step + work.states_within * output +
+         work.stored_bytes / write_rate;
 }
 
 std::optional<double> load_of_peak_pressure(const Shape& lower, const Shape& upper, const Domain& domain,

@@ -36,6 +36,8 @@ double operator_bytes(const VolumeGrid& grid, const constitutive::Material& mate
 double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
   constexpr double fields_of_elastic_body = 6.0; // plastic strain and its equivalent, which are zero
+  if (material.elastic.is_rigid())
+    return 0.0;
   if (!material.is_plastic())
     return field_bytes(grid, fields_of_elastic_body);
   constexpr double flags = 0.125;
@@ -177,8 +179,9 @@ double memory_bytes(const Plan& plan, const constitutive::Material& lower, const
   double bodies = 0.0, trials = 0.0, checkpoint = 0.0, output = 0.0;
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
   {
-    output = std::max(output, output_bytes(*grid, *material, shears));
-    if (grid == &plan.lower || !shares_operators)
+    if (!plan.surfaces_only)
+      output = std::max(output, output_bytes(*grid, *material, shears));
+    if (!plan.surfaces_only && (grid == &plan.lower || !shares_operators))
       bodies += operator_bytes(*grid, *material, shears);
     if (has_twin && grid == &plan.upper)
       continue;

@@ -17,6 +17,7 @@ from brinell.plot.quantities import QUANTITIES, Quantity
 from brinell.plot.scales import PERCENT, Scale, Scales, si, twin_axis
 from brinell.plot.states import Bodies, Side, chosen_sides, sides, state_title
 from brinell.results import BodyFields, Run, RunError, Snapshot
+from brinell.results.snapshots import how_to_store
 
 __all__ = ["most_strained", "stress_over_depth", "usual_place"]
 
@@ -53,7 +54,8 @@ def stress_over_depth(
     chosen = chosen_sides(run, state, bodies)
     with_stress = [side for side in chosen if any(np.any(one) for one in side.body.stress.values())]
     if not with_stress:
-        raise RunError(f"{run.path}: no stress components are stored at step {state.step}, or they vanish")
+        how = "" if any(side.body.stress for side in chosen) else how_to_store("stress")
+        raise RunError(f"{run.path}: no stress components are stored at step {state.step}, or they vanish{how}")
     if x is None and y is None:
         x, y = usual_place(state)
     x, y = x or 0.0, y or 0.0
@@ -79,10 +81,10 @@ def stress_over_depth(
 
 
 def most_strained(body: BodyFields) -> tuple[int, int] | None:
-    """Row and column of the cells under which the largest plastic strain of a body is; None if it has not yielded."""
-    strain = body.equivalent_plastic_strain
-    if not np.any(strain):
+    """Row and column of the cells under which the largest plastic strain is; None if it is zero or not stored."""
+    if not body.has_yielded:
         return None
+    strain = body.equivalent_plastic_strain
     _, row, column = np.unravel_index(int(np.argmax(strain)), strain.shape)
     return int(row), int(column)
 
@@ -122,7 +124,7 @@ def _line(run: Run, side: Side, quantity: Quantity, x: float, y: float) -> Float
     """Values of a field under a point, linear between the columns of cells."""
     values = quantity.values(side.body)
     if values is None:
-        raise RunError(f"{run.path}: {quantity.name} of the {side.name} is not stored")
+        raise RunError(f"{run.path}: {quantity.name} of the {side.name} is not stored{how_to_store(quantity.name)}")
     plane = on_plane(side.body.y, values, Plane("y", y))
     column = on_plane(side.body.x, plane[:, None, :], Plane("x", x)) if plane is not None else None
     if column is None:

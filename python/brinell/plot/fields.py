@@ -26,6 +26,7 @@ from brinell.plot.states import Side, of_state, sides, state_title
 from brinell.plot.tangential import has_slip
 from brinell.plot.temperature import has_heat, surface_temperature_maps, temperature_section
 from brinell.results import BodyFields, ContactFields, Run, RunError, Snapshot
+from brinell.results.snapshots import how_to_store
 from brinell.scenarios import SCENARIOS
 
 __all__ = ["FIGURES", "gap_map", "pressure_map", "residual_surfaces", "section", "suits"]
@@ -209,7 +210,8 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
     scales = Scales(run)
     known = [side for side in sides(snapshot) if side.body.has("residual_displacement")]
     if not known:
-        raise RunError(f"{run.path}: residual_displacement is not stored at step {snapshot.step}")
+        name = "residual_displacement"
+        raise RunError(f"{run.path}: {name} is not stored at step {snapshot.step}{how_to_store(name)}")
     deformed = [side for side in known if side.body.is_dented] or known
     lowest = min(0.0, *(float(_height(side.body).min()) for side in deformed))
     highest = max(0.0, *(float(_height(side.body).max()) for side in deformed))

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fmt/format.h>
 #include <fstream>
 #include <unistd.h>
@@ -29,8 +30,10 @@ std::string duration_text(double seconds)
   return fmt::format("{:.0f} h", seconds / 3600.0);
 }
 
-std::string volume_text(const VolumeGrid& grid)
+std::string volume_text(const VolumeGrid& grid, bool surface_only)
 {
+  if (surface_only)
+    return fmt::format("{} x {} cells of its surface", grid.surface.nx, grid.surface.ny);
   return fmt::format("{} x {} x {} cells", grid.surface.nx, grid.surface.ny, grid.nz);
 }
 
@@ -86,7 +89,8 @@ std::string grid_report(const simulation::Plan& plan)
   if (plan.symmetry == Symmetry::in_y)
     text += "# Symmetry: both sides of y = 0 are mirror images of each other; one of them is solved\n";
   return text + fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx,
-                            plan.contact.ny, volume_text(plan.lower), volume_text(plan.upper));
+                            plan.contact.ny, volume_text(plan.lower, plan.surfaces_only),
+                            volume_text(plan.upper, plan.surfaces_only));
 }
 
 /// Number of cells of the bodies that are solved: of twins one is.
@@ -96,12 +100,19 @@ double solved_cells(const simulation::Plan& plan)
   return static_cast<double>(plan.lower.size()) + (plan.twin == elastoplastic::Twin::none ? upper : 0.0);
 }
 
+/// A sentence as a comment of the resolved case; empty without one.
+std::string remark(std::string text)
+{
+  if (text.empty())
+    return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return fmt::format("# {}\n", text);
+}
+
 template <typename ScenarioCase, typename ScenarioPlanOf>
 std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
 {
-  std::string text = simulation::resolution_text(simulation::expected_quality(c, plan).resolution);
-  text.front() = 'R';
-  return fmt::format("# {}\n", text);
+  return remark(simulation::resolution_text(simulation::expected_quality(c, plan).resolution));
 }
 
 /// The plan; an error about the grid gets the key and place of the grid.
@@ -163,12 +174,14 @@ std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan)
 namespace
 {
 
-/// Work of a case: that of its scenario. Under sharp tips, and where friction brings the surfaces to their strength, steps take
-/// about three times as many evaluations (medians of 700 runs: 15 instead of 5, and 9 to 32 instead of 5 to 7).
-simulation::Work work_of(const auto& scenario, const auto& plan)
+/// Work of a case: that of its scenario and of its output. Under sharp tips, and where friction brings the surfaces to their
+/// strength, steps take about three times as many evaluations (medians of 700 runs: 15 instead of 5, and 9 to 32 instead of 5 to 7).
+simulation::Work work_of(const Case& c, const ScenarioPlan& any_plan, const auto& scenario, const auto& plan)
 {
   constexpr double hard = 3.0;
   simulation::Work work = io_of(scenario).work;
+  work.states_within = states_within(c, any_plan);
+  work.stored_bytes = result_bytes(c, any_plan);
   const auto is_sharp = [](const simulation::ShapedBody& body)
   {
     return std::holds_alternative<simulation::Cone>(body.shape) ||
@@ -197,12 +210,13 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                using Plan = decltype(simulation::plan(scenario));
                const Plan& p = std::get<Plan>(plan);
                return yield_report(scenario, p) + io_of(scenario).motion(scenario, p) + grid_report(p) +
-                      fmt::format("# Cost, roughly: {} of memory, {:.0f} bytes per cell of the bodies that are solved; "
-                                  "{} on one core\n",
-                                  size_text(p.memory_bytes), p.memory_bytes / solved_cells(p),
-                                  duration_text(simulation::rough_seconds(
-                                      p, scenario.lower.material, scenario.upper.material, work_of(scenario, p)))) +
-                      result_report(c, plan) + quality_report(scenario, p);
+                      fmt::format(
+                          "# Cost, roughly: {} of memory, {:.0f} bytes per cell of the bodies that are solved; "
+                          "{} on one core\n",
+                          size_text(p.memory_bytes), p.memory_bytes / solved_cells(p),
+                          duration_text(simulation::rough_seconds(p, scenario.lower.material, scenario.upper.material,
+                                                                  work_of(c, plan, scenario, p)))) +
+                      result_report(c, plan) + remark(left_out_text(c, plan)) + quality_report(scenario, p);
              },
              c.scenario);
 }
