@@ -35,24 +35,25 @@ std::string text_of(const fs::path& file)
 }
 
 /// Relative cell size of the first run of a series.
-double first_cells(const io::Case& c)
+double first_cells(const io::Case& c, const io::ScenarioPlan& plan)
 {
   const simulation::Resolution resolution =
-      std::visit([](const auto& scenario)
-                 { return simulation::expected_quality(scenario, simulation::plan(scenario)).resolution; },
-                 c.scenario);
+      std::visit([&]<typename ScenarioCase>(const ScenarioCase& scenario)
+                 { return simulation::expected_quality(scenario, std::get<typename ScenarioCase::Plan>(plan)); },
+                 c.scenario)
+          .resolution;
   const double cells = resolution.cells_per_wave.value_or(resolution.cells);
   return std::clamp(cells / fewest_cells, 1.0, coarsest);
 }
 
 /// A run of the series that an earlier process with the same build has completed in its folder.
-std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& c, double cells)
+std::optional<io::Level> finished_level(const fs::path& folder, const io::Case& c, const io::ScenarioPlan& any_plan,
+                                        double cells)
 {
   const std::string summary = text_of(folder / "summary.json");
   if (summary.empty() || text_of(folder / "resolved.toml") != io::resolved_files(c.values).text)
     return std::nullopt;
-  const simulation::Plan plan =
-      std::visit([](const auto& scenario) -> simulation::Plan { return simulation::plan(scenario); }, c.scenario);
+  const simulation::Plan plan = std::visit([](const auto& one) -> simulation::Plan { return one; }, any_plan);
   std::optional<io::Level> level = io::level_of_this_build(summary, cells);
   if (level && level->spacing != io::Vector3{plan.contact.dx, plan.contact.dy, plan.lower.dz})
     level.reset();
@@ -98,19 +99,19 @@ void remove_level(const fs::path& folder)
 class Series
 {
 public:
-  Series(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
-      : case_(c), options_(options), monitor_(monitor)
+  Series(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options, const RunMonitor& monitor)
+      : case_(c), plan_(plan), options_(options), monitor_(monitor), first_cells_(first_cells(c, plan))
   {
   }
 
   RunReport run()
   {
     // Throws before anything is written if the case cannot be computed.
-    for (const double cells : {1.0, first_cells(case_)})
+    for (const double cells : {1.0, first_cells_})
       static_cast<void>(io::plan_case(io::with_cells(case_, cells)));
     {
       // Locks the folder for this process and removes an earlier result; with --resume it refuses another case.
-      const io::ResultDirectory folder(options_.folder, case_, options_.mode);
+      const io::ResultDirectory folder(options_.folder, case_, io::stored_parts(case_, plan_), options_.mode);
       replaced_ = folder.replaced();
       levels();
     }
@@ -125,10 +126,9 @@ private:
 
   void levels()
   {
-    const double first = first_cells(case_);
     for (int n = 1; n <= most_runs; ++n)
     {
-      const double cells = first / std::pow(refinement, n - 1);
+      const double cells = first_cells_ / std::pow(refinement, n - 1);
       const bool is_as_fine_as_given = cells <= 1.0 + 1e-9;
       if (!next(n, std::abs(cells - 1.0) < 1e-9 ? 1.0 : cells))
         return;
@@ -147,8 +147,9 @@ private:
     const LevelsBefore before{cells, done_};
     try
     {
+      const io::ScenarioPlan plan = io::plan_case(c);
       if (resume)
-        if (const auto level = finished_level(folder_of(number), c, cells); level && reuse(number, c, *level))
+        if (const auto level = finished_level(folder_of(number), c, plan, cells); level && reuse(number, c, *level))
           return true;
       if (monitor_.on_level)
         monitor_.on_level(number, cells, false);
@@ -159,7 +160,7 @@ private:
           monitor_.on_start(number == 1 && replaced_, finished_steps);
       };
       const LevelReport report =
-          run_level(c, folder_of(number), mode_in(folder_of(number), c, resume), monitor, before);
+          run_level(c, plan, folder_of(number), mode_in(folder_of(number), c, resume), monitor, before);
       report_ = report.report;
       accuracy_ = report.accuracy;
       done_.push_back(report.level);
@@ -201,8 +202,10 @@ private:
   }
 
   const io::Case& case_;
+  const io::ScenarioPlan& plan_;
   const RunOptions& options_;
   const RunMonitor& monitor_;
+  double first_cells_; ///< relative cell size of the first run
   bool replaced_ = false;
   int number_ = 0; ///< number of the last finished run
   std::vector<io::Level> done_;
@@ -230,9 +233,10 @@ void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, i
   info.accuracy = report.accuracy;
 }
 
-RunReport run_series(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+RunReport run_series(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options,
+                     const RunMonitor& monitor)
 {
-  return Series(c, options, monitor).run();
+  return Series(c, plan, options, monitor).run();
 }
 
 std::string accuracy_text(const io::Accuracy& a)

@@ -28,16 +28,17 @@ struct LevelReport
 };
 
 /// Function that performs one run, single or as part of a series.
-[[nodiscard]] LevelReport run_level(const io::Case& c, const std::filesystem::path& folder,
-                                    io::ResultDirectory::Mode mode, const RunMonitor& monitor,
-                                    const LevelsBefore& before);
+[[nodiscard]] LevelReport run_level(const io::Case& c, const io::ScenarioPlan& plan,
+                                    const std::filesystem::path& folder, io::ResultDirectory::Mode mode,
+                                    const RunMonitor& monitor, const LevelsBefore& before);
 
 /// Adds the estimated errors of the series to the information for the summary, with a warning if the requested accuracy is not
 /// reached.
 void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, io::RunInfo& info);
 
-/// Runs the series. At the end the folder contains the finest run, and the coarser ones in accuracy/1, accuracy/2, ...
-[[nodiscard]] RunReport run_series(const io::Case& c, const RunOptions& options, const RunMonitor& monitor);
+/// Runs the series of a case with this plan. At the end the folder contains the finest run, and the coarser ones in accuracy/1, accuracy/2, ...
+[[nodiscard]] RunReport run_series(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options,
+                                   const RunMonitor& monitor);
 
 /// The errors as a table for a terminal.
 [[nodiscard]] std::string accuracy_text(const io::Accuracy& accuracy);

@@ -77,8 +77,8 @@ void print_forecast(const io::Case& c, const io::ScenarioPlan& plan)
 int run_command(const RunArguments& arguments)
 {
   const io::Case c = case_of(arguments);
+  const io::ScenarioPlan plan = io::plan_case(c); // throws before anything is written if the case cannot be computed
   std::vector<io::Warning> printed = c.warnings;
-  const io::ScenarioPlan plan = io::plan_case(c);
   for (io::Warning& warning : io::result_warnings(c, plan))
     printed.push_back(std::move(warning));
   print_warnings(c, printed);
@@ -115,7 +115,7 @@ int run_command(const RunArguments& arguments)
   monitor.wants_stop = [] { return InterruptGuard::signal() != 0; };
   try
   {
-    const RunReport report = run_case(c, options, monitor);
+    const RunReport report = run_case(c, plan, options, monitor);
     progress.reset();
     if (!arguments.quiet)
       fmt::print("{}results in {}\n", report.text, folder);

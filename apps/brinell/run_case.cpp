@@ -3,7 +3,6 @@
 
 #include "accuracy.hpp"
 #include "brinell/foundation/error.hpp"
-#include "brinell/io/feasibility.hpp"
 #include "brinell/io/point_history.hpp"
 #include "brinell/io/result_image.hpp"
 #include "brinell/io/scenario_text.hpp"
@@ -60,7 +59,8 @@ private:
 
 /// Text that the program prints about a finished run.
 template <typename Summary>
-std::string report_text(const io::Case& c, const Summary& summary, const io::RunInfo& info)
+std::string report_text(const io::Case& c, const io::ScenarioPlan& plan, const Summary& summary,
+                        const io::RunInfo& info)
 {
   std::string text =
       fmt::format("{} steps, {} evaluations, {:.2f} s\n", summary.steps, summary.evaluations, info.wall_time);
@@ -68,15 +68,18 @@ std::string report_text(const io::Case& c, const Summary& summary, const io::Run
     text += fmt::format("{} increments had to be split\n", summary.split_increments);
   text += fmt::format("{}energy balance error {:.2e}\n{}\n", io::results_text(c, summary), summary.energy_balance_error,
                       simulation::resolution_text(info.quality.resolution));
+  if (const std::string left_out = io::left_out_text(c, plan); !left_out.empty())
+    text += left_out + "\n";
   return info.accuracy ? text + accuracy_text(*info.accuracy) : text;
 }
 
 /// Runs one scenario, writes its steps and finishes the results.
 /// @param Results  io::ResultDirectory or io::ResultImage
 template <typename ScenarioCase, typename Results>
-LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& results, const RunMonitor& monitor,
-                     const LevelsBefore& before)
+LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::ScenarioPlan& any_plan,
+                     Results& results, const RunMonitor& monitor, const LevelsBefore& before)
 {
+  const auto& plan = std::get<typename ScenarioCase::Plan>(any_plan);
   using Record = typename ScenarioCase::Record;
   const auto start = Clock::now();
   io::SnapshotChoice choice(c.snapshots);
@@ -132,18 +135,17 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
       monitor.on_remark(text(change));
   };
   std::optional<simulation::Run<ScenarioCase>> run(std::in_place, scenario, observer,
-                                                   checkpoint ? &*checkpoint : nullptr);
+                                                   checkpoint ? &*checkpoint : nullptr, plan);
   checkpoint.reset();
   simulation::finish(*run, observer);
   const auto summary = run->totals();
   const double seconds = seconds_since(start);
   results.add_final(run->fields(), io::columns(summary.last));
   run.reset(); // frees its memory
-  const auto plan = simulation::plan(scenario);
   io::RunInfo info{
       .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
   info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
-  for (io::Warning& warning : io::result_warnings(c, plan))
+  for (io::Warning& warning : io::result_warnings(c, any_plan))
     info.quality.warnings.push_back(std::move(warning));
   if (const auto missing = io::missing_steps(c.snapshots, summary.last.step))
     info.quality.warnings.push_back(*missing);
@@ -151,7 +153,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, Results& r
   judge(c, before, report, info);
   results.finish(io::summary_text(c, plan, summary, info));
 
-  report.report = {report_text(c, summary, info), info.quality.warnings};
+  report.report = {report_text(c, any_plan, summary, info), info.quality.warnings};
   return report;
 }
 
@@ -179,14 +181,14 @@ std::filesystem::path default_folder(const io::Case& c)
   return c.directory.value_or(std::filesystem::path("results") / c.name);
 }
 
-LevelReport run_level(const io::Case& c, const std::filesystem::path& folder, io::ResultDirectory::Mode mode,
-                      const RunMonitor& monitor, const LevelsBefore& before)
+LevelReport run_level(const io::Case& c, const io::ScenarioPlan& plan, const std::filesystem::path& folder,
+                      io::ResultDirectory::Mode mode, const RunMonitor& monitor, const LevelsBefore& before)
 {
-  static_cast<void>(io::plan_case(c)); // throws before anything is written if the case cannot be computed
-  io::ResultDirectory results(folder, c, mode);
+  io::ResultDirectory results(folder, c, io::stored_parts(c, plan), mode);
   if (monitor.on_start)
     monitor.on_start(results.replaced(), results.finished_steps());
-  return std::visit([&](const auto& scenario) { return simulate(scenario, c, results, monitor, before); }, c.scenario);
+  return std::visit([&](const auto& scenario) { return simulate(scenario, c, plan, results, monitor, before); },
+                    c.scenario);
 }
 
 std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor)
@@ -195,16 +197,18 @@ std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& moni
     throw InputError("solver.accuracy requests a series of runs, which needs a folder for its results; allowed: a run "
                      "with a folder, or no solver.accuracy");
   const Threads guard(threads);
-  static_cast<void>(io::plan_case(c));
-  io::ResultImage results(c);
-  std::visit([&](const auto& scenario) { (void)simulate(scenario, c, results, monitor, {}); }, c.scenario);
+  const io::ScenarioPlan plan = io::plan_case(c);
+  io::ResultImage results(c, io::stored_parts(c, plan));
+  std::visit([&](const auto& scenario) { (void)simulate(scenario, c, plan, results, monitor, {}); }, c.scenario);
   return std::move(results).bytes();
 }
 
-RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor)
+RunReport run_case(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options,
+                   const RunMonitor& monitor)
 {
   const Threads threads(options.threads);
-  return c.accuracy ? run_series(c, options, monitor) : run_level(c, options.folder, options.mode, monitor, {}).report;
+  return c.accuracy ? run_series(c, plan, options, monitor)
+                    : run_level(c, plan, options.folder, options.mode, monitor, {}).report;
 }
 
 } // namespace brinell::app

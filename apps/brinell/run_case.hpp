@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/io/case_file.hpp"
+#include "brinell/io/feasibility.hpp"
 #include "brinell/io/result_directory.hpp"
 
 #include <filesystem>
@@ -50,8 +50,10 @@ struct RunOptions
 [[nodiscard]] std::filesystem::path default_folder(const io::Case& c);
 
 /// Runs a case, or a series of runs if an accuracy is requested, and writes the results.
+/// @param plan  that of the case
 /// @throws InputError, ConvergenceError, IoError, Interrupted; the finished steps are then in the folder
-RunReport run_case(const io::Case& c, const RunOptions& options, const RunMonitor& monitor = {});
+RunReport run_case(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options,
+                   const RunMonitor& monitor = {});
 
 /// Runs a case without a folder.
 /// @returns the bytes of a result.vtkhdf, without the group for ParaView

@@ -73,7 +73,8 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, io::Resu
 {
   const app::RunOptions options{folder, mode, threads};
   return monitored(on_step, on_replaced,
-                   [&](const app::RunMonitor& monitor) { return app::run_case(c, options, monitor).text; });
+                   [&](const app::RunMonitor& monitor)
+                   { return app::run_case(c, io::plan_case(c), options, monitor).text; });
 }
 
 /// The bytes of a result file.

@@ -20,6 +20,7 @@ namespace
 {
 
 using constitutive::Material;
+using elastoplastic::BodyState;
 using elastoplastic::BodyView;
 using elastoplastic::CoupledContact;
 using elastoplastic::IncrementReport;
@@ -141,6 +142,14 @@ Output copy_of(std::span<const double> field, const Shape& shape)
   return array({field.begin(), field.end()}, shape);
 }
 
+/// A field of a body; zeros for a rigid one, which stores none.
+/// @param values  per cell
+std::vector<double> or_zeros(std::vector<double> field, const BodyView& body, std::size_t values)
+{
+  field.resize(values * body.grid().size(), 0.0);
+  return field;
+}
+
 /// Back stresses, [term, component, z, y, x].
 Output backstress(const BodyView& body)
 {
@@ -246,14 +255,22 @@ void bind_body_state(nb::class_<Pair>& pair)
           "plastic_strain",
           [](Pair& p, bool upper)
           {
-            return p.read(upper, [](const BodyView& b)
-                          { return array(six_fields(b.state().plastic_strain), tensor_shape(b.grid())); });
+            return p.read(upper,
+                          [](const BodyView& b)
+                          {
+                            const std::vector<double> strain =
+                                or_zeros(b.deviators(&BodyState::plastic_strain), b, Deviator::size);
+                            return array(six_fields(strain), tensor_shape(b.grid()));
+                          });
           },
           "upper"_a)
       .def(
           "equivalent_plastic_strain",
           [](Pair& p, bool upper)
-          { return p.read(upper, [](const BodyView& b) { return copy_of(b.state().equivalent, shape(b.grid())); }); },
+          {
+            return p.read(upper, [](const BodyView& b)
+                          { return array(or_zeros(b.scalars(&BodyState::equivalent), b, 1), shape(b.grid())); });
+          },
           "upper"_a)
       .def(
           "residual_displacement",

@@ -288,22 +288,22 @@ class Case:
         if accuracy is not None:
             case = self.with_values({"solver.accuracy": accuracy})
             return case.run(output, progress=progress, threads=threads, resume=resume, replace=replace)
-        for key, text in self._core.result_warnings:
-            if key == "large_result":  # before it is written
-                warnings.warn(text, ResolutionWarning, stacklevel=level_of_caller())
+        told = [text for key, text in self._core.result_warnings if key == "large_result"]
+        for text in told:  # before it is written
+            warnings.warn(text, ResolutionWarning, stacklevel=level_of_caller())
         if in_memory:
             count = _thread_count(threads)
             try:
                 image = self._with_progress(progress, partial(self._core.run_in_memory, count))
             except KeyboardInterrupt:
                 raise KeyboardInterrupt("interrupted; nothing is kept of a run in memory") from None
-            return self._with_warnings_issued(run_of_image(image))
+            return self._with_warnings_issued(run_of_image(image), told)
         if output is not None:
             mode = _core.Mode.resume if resume else _core.Mode.keep if replace is False else _core.Mode.replace
             self._compute(Path(output), progress, threads, mode, warns=replace is None)
-            return self._with_warnings_issued(open_run(output))
+            return self._with_warnings_issued(open_run(output), told)
         mode = _core.Mode.resume if resume else _core.Mode.replace
-        return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, mode))
+        return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, mode), told)
 
     def _run_in_temporary_folder(self, progress: bool | Progress | None, threads: int | None, mode: _core.Mode) -> Run:
         """Runs the case in a temporary folder, deleted together with the result; finished steps survive Ctrl-C."""
@@ -331,10 +331,9 @@ class Case:
         """
         return Stepping(self)
 
-    def _with_warnings_issued(self, run: Run) -> Run:
-        """Issues the warnings of a run, except those of the case, which were issued when it was read."""
-        already_issued = {text for _, text in self._core.warnings}
-        already_issued |= {text for key, text in self._core.result_warnings if key == "large_result"}
+    def _with_warnings_issued(self, run: Run, told: Iterable[str]) -> Run:
+        """Issues the warnings of a run, except those of the case, issued when it was read, and those told before."""
+        already_issued = {*(text for _, text in self._core.warnings), *told}
         for warning in run.warnings:
             if warning.text not in already_issued:
                 warnings.warn(warning.text, ResolutionWarning, stacklevel=level_of_caller())

@@ -83,7 +83,8 @@ class Stepping(Iterator[dict[str, float]]):
             (ny, nx), positive into the body [m], ``worn_depth`` (ny, nx) [m] with wear, ``height`` (ny, nx) of the
             present surface, positive out of the body [m], with a texture, ``equivalent_plastic_strain`` (nz, ny, nx)
             [-], ``plastic_strain`` [-] and ``stress`` [Pa] of shape (6, nz, ny, nx) with the components xx, yy, zz, yz,
-            xz, xy. Fields that a rigid body does not have are missing.
+            xz, xy. Fields that a rigid body does not have are missing, and, if neither body can yield, those within the
+            bodies unless `output.fields` or another key of `output` asks for them.
         """
         return self._core.fields()
 

@@ -30,7 +30,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning", "ig
 @pytest.fixture(scope="module", params=KINDS, ids=" ".join)
 def run(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Run:
     kind: Kind = request.param
-    return kind.case(output={"snapshots": "every 5"}).run(tmp_path_factory.mktemp("kind") / "run")
+    return kind.case(output={"snapshots": "every 5", "fields": "all"}).run(tmp_path_factory.mktemp("kind") / "run")
 
 
 def test_each_pair_of_levels_occurs() -> None:

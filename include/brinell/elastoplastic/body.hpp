@@ -21,8 +21,8 @@ namespace brinell::elastoplastic
 /// The complete history of one body, on its own material grid.
 struct BodyState
 {
-  std::vector<double> plastic_strain;        ///< deviator field, 5 values per cell
-  std::vector<double> equivalent;            ///< accumulated equivalent plastic strain
+  std::vector<double> plastic_strain;        ///< deviator field, 5 values per cell; empty for a rigid body
+  std::vector<double> equivalent;            ///< accumulated equivalent plastic strain; empty for a rigid body
   std::vector<double> backstress;            ///< deviator field per kinematic term, one after the other [Pa]
   std::vector<double> stress;                ///< deviator after the last increment [Pa]; empty if the body cannot yield
   std::vector<double> residual_displacement; ///< of the surface, positive into the body [m]

@@ -64,6 +64,7 @@ struct HeatedRun
 {
   HeatSettings settings{};
   halfspace::HeatTimes times{}; ///< durations of the increments
+  int layers = 0;               ///< layers that the waves in depth resolve, if the grids of the bodies have fewer
 };
 
 /// Numerical settings of the computation of heat.

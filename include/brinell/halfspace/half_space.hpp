@@ -19,7 +19,8 @@ namespace brinell::halfspace
 ///
 /// The stress of an increment is computed in two steps, because the load on the surface depends on the residual displacement
 /// that the plastic strain causes: `load` transforms the strain and returns a `Loaded`, which computes the displacement and,
-/// for any surface load, the stress. The kernels for shears are computed when the first shear is applied.
+/// for any surface load, the stress. The kernels of pressure and of shears are computed when they are first needed: a body that
+/// stays elastic needs them for output only.
 class HalfSpace
 {
 public:

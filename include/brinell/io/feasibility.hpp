@@ -27,6 +27,9 @@ using ScenarioPlan = simulation::AnyPlan;
 /// Warnings about the size of a result: that it is large, or that fields are left out to keep it small.
 [[nodiscard]] std::vector<Warning> result_warnings(const Case& c, const ScenarioPlan& plan);
 
+/// Which fields a run neither computes nor stores although the case does not say so, and how to get them; empty if none.
+[[nodiscard]] std::string left_out_text(const Case& c, const ScenarioPlan& plan);
+
 /// Warnings and expected errors of a case before it runs: its own warnings, and those about the resolution of its cells.
 [[nodiscard]] std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan);
 

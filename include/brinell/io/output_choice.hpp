@@ -52,7 +52,8 @@ struct HistoryPoint
   double x = 0.0, y = 0.0, depth = 0.0; ///< in the coordinates of the body [m]
 };
 
-/// As the case says; unset: what keeps the result small.
+/// As the case says. Without fields, those within bodies that cannot yield are left out unless `asks_for_fields_within`, and all
+/// others are stored as far as the result stays small.
 struct OutputChoice
 {
   std::optional<std::vector<std::string>> fields; ///< out of `field_words`
@@ -61,6 +62,10 @@ struct OutputChoice
   StoredCells cells;
   std::vector<HistoryPoint> points;
 };
+
+/// Whether fields within the bodies are asked for: by name, or by a part of the body that has no other fields, namely a depth, a
+/// plane or a point with a history.
+[[nodiscard]] bool asks_for_fields_within(const OutputChoice& choice);
 
 /// Parts of the result that a run stores.
 struct StoredParts

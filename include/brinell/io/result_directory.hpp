@@ -40,7 +40,8 @@ public:
   /// known before the first step. With `resume` it keeps the steps up to the checkpoint instead, if there is one.
   /// @throws IoError, also if another run is writing there; InputError if the run there is of another case or is complete, or if
   ///         there is one and it is to be kept
-  ResultDirectory(const std::filesystem::path& path, const Case& c, Mode mode = Mode::replace);
+  /// @param parts  what is stored: `stored_parts` of the case
+  ResultDirectory(const std::filesystem::path& path, const Case& c, StoredParts parts, Mode mode = Mode::replace);
   ResultDirectory(ResultDirectory&&) noexcept;
   ResultDirectory& operator=(ResultDirectory&&) noexcept;
   ~ResultDirectory();

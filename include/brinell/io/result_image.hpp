@@ -21,7 +21,8 @@ class ResultImage
 public:
   static constexpr bool keeps_checkpoints = false;
 
-  explicit ResultImage(const Case& c);
+  /// @param parts  what is stored: `stored_parts` of the case
+  ResultImage(const Case& c, StoredParts parts);
   ~ResultImage();
   ResultImage(ResultImage&&) noexcept;
   ResultImage& operator=(ResultImage&&) noexcept;

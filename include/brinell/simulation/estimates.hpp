@@ -9,11 +9,6 @@
 namespace brinell::simulation
 {
 
-/// Bytes of the fields of one state: pressure and gap and, for each deformable body, the tensors of stress and plastic strain,
-/// their equivalents, and the surface.
-[[nodiscard]] double state_bytes(const Plan& plan, const constitutive::Material& lower,
-                                 const constitutive::Material& upper);
-
 /// Load at which an elastic contact has a given peak pressure [N], for an elliptical contact or a line of finite length (Hertz;
 /// Johnson 1985, sections 4.2 and 4.3); empty for other contacts.
 /// @param contact_modulus, peak_pressure  [Pa]

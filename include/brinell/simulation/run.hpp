@@ -25,6 +25,8 @@ public:
   /// @param checkpoint  of the same case, from `checkpoint()`: the run resumes there.
   /// @throws InputError if the case cannot be computed or the checkpoint is of another case.
   explicit Run(Case scenario, Watch watch = {}, const Archive::Fields* checkpoint = nullptr);
+  /// @param plan  that of the case, which is made otherwise; with large textures that takes a while
+  Run(Case scenario, Watch watch, const Archive::Fields* checkpoint, const typename Case::Plan& plan);
   ~Run();
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;

@@ -96,14 +96,19 @@ struct Numerics : elastoplastic::Effects ///< the effects act where the surfaces
   double resolution = 8.0;                      ///< cells per contact radius along x if no spacing is given
   double extent = 1.0; ///< factor on the automatic extent of the grids around contact and plastic zone, > 0
   elastoplastic::Settings solver;
+  /// Whether the fields within the bodies, such as stress, are wanted even if neither body can yield. Contact and surfaces then
+  /// do not need them, and they cost a hundred times as much.
+  bool fields_within = true;
 };
 
 /// Grids, steps, tolerances and memory of a run; computed without running.
 struct Plan
 {
-  SurfaceGrid contact;                                  ///< grid of the contact, which moves along with it
-  VolumeGrid lower, upper;                              ///< material grids, wide enough for the whole track
-  int steps = 0;                                        ///< estimate
+  SurfaceGrid contact;        ///< grid of the contact, which moves along with it
+  VolumeGrid lower, upper;    ///< material grids, wide enough for the whole track
+  bool surfaces_only = false; ///< no fields within the bodies, whose grids then have one layer
+  int layers = 0;             ///< of grids with fields within the bodies
+  int steps = 0;              ///< estimate
   elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
   Symmetry symmetry = Symmetry::none;                   ///< other than none: half of each body is solved
   halfspace::HeatTimes heat_times;                      ///< of heated bodies; zero without a speed

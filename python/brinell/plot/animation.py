@@ -23,6 +23,7 @@ from brinell.plot.sections import across_label, draw_contact, draw_panel, uprigh
 from brinell.plot.states import Bodies, Follow, Side, chosen_sides, state_title, stored_in_pass
 from brinell.plot.where import cutting_of
 from brinell.results import Run, RunError, Snapshot
+from brinell.results.snapshots import how_to_store
 
 __all__ = ["ENDINGS", "Follow", "animate", "save_animation", "writer_of"]
 
@@ -84,6 +85,8 @@ def animate(
     steps = stored_in_pass(run, pass_)
     first = run.snapshot(steps[0])
     sides = chosen_sides(run, first, bodies)
+    if all(quantity.values(side.body) is None for side in sides):
+        raise RunError(f"{run.path}: {quantity.name} is not stored{how_to_store(quantity.name)}")
     on_body = (follow or ("contact" if len(sides) > 1 else "body")) == "body"
     if on_body and len(sides) > 1:
         raise InputError("follow = 'body' needs a single body: each has a coordinate of its own")

@@ -16,6 +16,7 @@ from brinell.plot.quantities import QUANTITIES, Quantity
 from brinell.plot.scales import Scales
 from brinell.plot.states import Side, both_sides
 from brinell.results import ContactFields, Run, RunError, Snapshot
+from brinell.results.snapshots import how_to_store
 
 __all__ = [
     "Cut",
@@ -123,7 +124,9 @@ def panel_of(
         RunError: the field is not stored, or the plane lies outside the grids.
     """
     if all(quantity.values(side.body) is None for side in bodies):
-        raise RunError(f"{run.path}: {quantity.name} is not stored at step {snapshot.step}")
+        raise RunError(
+            f"{run.path}: {quantity.name} is not stored at step {snapshot.step}{how_to_store(quantity.name)}"
+        )
     found = [cut_of(side, quantity, plane, origin) for side in bodies]
     cuts = [cut for cut in found if cut is not None]
     if not cuts:

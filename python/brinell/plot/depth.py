@@ -18,6 +18,7 @@ from brinell.plot.scales import PERCENT, Scale, Scales, si, twin_axis
 from brinell.plot.states import Bodies, Side, chosen_sides, state_title
 from brinell.plot.where import usual_place
 from brinell.results import Run, RunError, Snapshot
+from brinell.results.snapshots import how_to_store
 
 __all__ = ["stress_over_depth"]
 
@@ -54,7 +55,8 @@ def stress_over_depth(
     chosen = chosen_sides(run, state, bodies)
     with_stress = [side for side in chosen if any(np.any(one) for one in side.body.stress.values())]
     if not with_stress:
-        raise RunError(f"{run.path}: no stress components are stored at step {state.step}, or they vanish")
+        how = "" if any(side.body.stress for side in chosen) else how_to_store("stress")
+        raise RunError(f"{run.path}: no stress components are stored at step {state.step}, or they vanish{how}")
     if x is None and y is None:
         x, y = usual_place(state)
     x, y = x or 0.0, y or 0.0
@@ -98,7 +100,7 @@ def _line(run: Run, side: Side, quantity: Quantity, x: float, y: float) -> Float
     """Values of a field under a point, linear between the columns of cells."""
     values = quantity.values(side.body)
     if values is None:
-        raise RunError(f"{run.path}: {quantity.name} of the {side.name} is not stored")
+        raise RunError(f"{run.path}: {quantity.name} of the {side.name} is not stored{how_to_store(quantity.name)}")
     plane = on_plane(side.body.y, values, Plane("y", y))
     column = on_plane(side.body.x, plane[:, None, :], Plane("x", x)) if plane is not None else None
     if column is None:

@@ -22,6 +22,7 @@ from brinell.plot.sheets import Range, enlarged, few_ticks
 from brinell.plot.states import Side, of_state, sides, state_title
 from brinell.plot.where import Cutting, cutting_of, goes_round
 from brinell.results import BodyFields, Run, RunError, Snapshot
+from brinell.results.snapshots import how_to_store
 
 __all__ = ["residual_surfaces"]
 
@@ -55,7 +56,8 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
     scales = Scales(run)
     known = [side for side in sides(snapshot) if side.body.has("residual_displacement")]
     if not known:
-        raise RunError(f"{run.path}: residual_displacement is not stored at step {snapshot.step}")
+        name = "residual_displacement"
+        raise RunError(f"{run.path}: {name} is not stored at step {snapshot.step}{how_to_store(name)}")
     deformed = [side for side in known if side.body.is_dented] or known
     lowest = min(0.0, *(float(_height(side.body).min()) for side in deformed))
     highest = max(0.0, *(float(_height(side.body).max()) for side in deformed))

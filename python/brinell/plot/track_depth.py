@@ -64,7 +64,7 @@ def _yielded_profile(run: Run) -> tuple[TrackProfile, str]:
     if np.any(profile.equivalent_plastic_strain):
         return profile, ""
     body = run.snapshot("final", tensors=True).lower
-    if (place := most_strained(body)) is None:
+    if (place := most_strained(body)) is None or not body.stress:
         return profile, ""
     row, column = place
     xx, yy = (np.asarray(body.stress[name][:, row, column]) for name in ("xx", "yy"))

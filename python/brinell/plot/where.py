@@ -85,10 +85,10 @@ def _place_of_largest(rows: Sequence[tuple[FloatArray, FloatArray]]) -> float:
 
 
 def most_strained(body: BodyFields) -> tuple[int, int] | None:
-    """Row and column of the cells under which the largest plastic strain of a body is; None if it has not yielded."""
-    strain = body.equivalent_plastic_strain
-    if not np.any(strain):
+    """Row and column of the cells under which the largest plastic strain is; None if it is zero or not stored."""
+    if not body.has_yielded:
         return None
+    strain = body.equivalent_plastic_strain
     _, row, column = np.unravel_index(int(np.argmax(strain)), strain.shape)
     return int(row), int(column)
 

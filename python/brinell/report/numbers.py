@@ -87,6 +87,8 @@ def cost_of(run: Run) -> list[Number]:
     for name in ("contact", "lower", "upper"):
         if grid.get(f"{name}_cells"):
             found.append(Number(f"grid, {name}", " × ".join(str(int(n)) for n in grid[f"{name}_cells"])))
+    if grid.get("surfaces_only"):
+        found.append(Number("fields within the bodies", "not computed: neither can yield; output.fields asks for them"))
     return found
 
 

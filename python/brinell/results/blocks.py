@@ -11,7 +11,15 @@ from numpy.typing import NDArray
 
 from brinell.errors import InputError, MissingExtraError
 from brinell.results.errors import listed
-from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, BodyFields, ContactFields, Snapshot
+from brinell.results.snapshots import (
+    COMPONENTS,
+    CONTACT_FIELDS,
+    TENSORS,
+    BodyFields,
+    ContactFields,
+    Snapshot,
+    how_to_store,
+)
 
 if TYPE_CHECKING:
     import pyvista
@@ -54,7 +62,8 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     if fields and not blocks.n_blocks:
         apart = "" if snapshot.in_contact else ", in which the bodies do not touch"
         raise InputError(
-            f"nothing is stored of {listed(list(fields))} in this state{apart}; fields = None takes all that is"
+            f"nothing is stored of {listed(list(fields))} in this state{apart}{how_to_store(fields[0])}; "
+            "fields = None takes all that is"
         )
     return blocks
 

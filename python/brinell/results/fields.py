@@ -17,7 +17,7 @@ from brinell._names import did_you_mean
 from brinell.results.errors import RunError, listed, reports_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
-from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of, counts_of
+from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of, counts_of, how_to_store
 
 __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 
@@ -59,7 +59,8 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
         if found is not None and found[0] in names:
             tensor = labelled_field(path, body, found[0])
             return replace(tensor.sel(component=found[1]), name=name, long_name=f"{tensor.long_name}, {found[1]}")
-        raise RunError(f"{path}: the {body} body has no field {name!r}; {_alternatives(name, names)}")
+        how = "" if _is_rigid(path, body) else how_to_store(name)
+        raise RunError(f"{path}: the {body} body has no field {name!r}{how}; {_alternatives(name, names)}")
     with ResultFile(path) as file:
         states = file.states()
         last = file.group(list(states.values())[-1])  # grids only grow, so the last one contains those of all states
@@ -88,6 +89,13 @@ def labelled_field(path: Source, body: Body, name: str) -> Labelled:
     all_coords: dict[str, NDArray[Any]] = {"step": np.array(list(states)), **coords}
     taken = tuple(range(len(axis)) for axis in all_coords.values())
     return Labelled(name, units, long_name.removesuffix(", xx"), all_coords, read, taken)
+
+
+def _is_rigid(path: Source, body: Body) -> bool:
+    with ResultFile(path) as file:
+        last = file.group(list(file.states().values())[-1])
+        with reports_damage(path, str(last.name)):
+            return bool(last[body].attrs.get("is_rigid", 0))
 
 
 def _alternatives(name: str, names: Sequence[str]) -> str:

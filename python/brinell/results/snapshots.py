@@ -26,6 +26,7 @@ __all__ = [
     "TensorField",
     "component_of",
     "counts_of",
+    "how_to_store",
     "row_of",
     "snapshot_of",
 ]
@@ -44,6 +45,21 @@ TENSORS = ("plastic_strain", "stress")
 """Tensor fields with six components."""
 
 
+def how_to_store(name: str) -> str:
+    """How the case asks for a field that is not stored; empty for a field that may not exist in a case.
+
+    >>> how_to_store("stress_xx")
+    '; output.fields = ["surface", "stress"] of the case stores it, of the bodies in output.bodies'
+    """
+    found = component_of(name)
+    field = found[0] if found else name
+    if field not in (*TENSORS, "equivalent_plastic_strain", "von_mises_stress", "temperature", "residual_displacement"):
+        return ""
+    with_heat = ", if there is heat" if field == "temperature" else ""
+    words = f'"{field}"' if field == "residual_displacement" else f'["surface", "{field}"]'
+    return f"; output.fields = {words} of the case stores it{with_heat}, of the bodies in output.bodies"
+
+
 def component_of(name: str) -> tuple[str, str] | None:
     """Tensor and component of a name such as "stress_xx"; None for any other name."""
     tensor, _, component = name.rpartition("_")
@@ -53,20 +69,22 @@ def component_of(name: str) -> tuple[str, str] | None:
 class TensorField(Mapping[str, FloatArray]):
     """Components of a tensor by name, "xx" to "xy": (nz, ny, nx) arrays, each read when it is first used."""
 
-    def __init__(self, name: str, read: Callable[[str], FloatArray] | None):
+    def __init__(self, name: str, read: Callable[[str], FloatArray] | None, *, is_rigid: bool = False):
         """Makes the mapping without reading any component.
 
         Args:
             name: "stress" or "plastic_strain".
             read: function that reads a component; None if the tensor is not stored.
+            is_rigid: whether the body is rigid, so that it has no such tensor.
         """
         self._name = name
         self._read = read
+        self._how_to_store = ": it is rigid" if is_rigid else how_to_store(name)
         self._known: dict[str, FloatArray] = {}
 
     def __getitem__(self, component: str) -> FloatArray:
         if self._read is None:
-            raise KeyError(f"nothing is stored of the {self._name} of this body: it is rigid, or has no such field")
+            raise KeyError(f"nothing is stored of the {self._name} of this body{self._how_to_store}")
         if component not in COMPONENTS:
             raise KeyError(f"{self._name} has no component {component!r}; allowed: {listed(COMPONENTS)}")
         if component not in self._known:
@@ -140,7 +158,8 @@ class BodyFields:
     """(ny, nx) residual displacement of the surface, positive into the body [m]; zero for an elastic body, NaN if the
     case did not ask to store it."""
     equivalent_plastic_strain: FloatArray
-    """(nz, ny, nx) equivalent plastic strain [-]; zero for an elastic body, NaN if the case did not ask to store it."""
+    """(nz, ny, nx) equivalent plastic strain [-]; zero for an elastic body, NaN if it is not stored, as between bodies
+    neither of which can yield unless the case asks for it."""
     von_mises_stress: FloatArray | None
     """(nz, ny, nx) von Mises stress of contact pressure and plastic strain together [Pa]; None if it is not stored."""
     worn_depth: FloatArray | None = None
@@ -169,7 +188,9 @@ class BodyFields:
             raise KeyError(f"no field {name!r}; {did_you_mean(name, known)}allowed: {listed(known)}")
         values: FloatArray | None = getattr(self, name)
         if values is None or (not self.is_rigid and not self.has(name)):
-            raise KeyError(f"nothing is stored of {name}")
+            raise KeyError(
+                f"nothing is stored of {name}{': the body is rigid' if self.is_rigid else how_to_store(name)}"
+            )
         return values
 
     @property
@@ -299,7 +320,7 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
 
     def components(name: str) -> TensorField:
         stored = name in group and all(c in group[name] for c in COMPONENTS)
-        return TensorField(name, partial(read_component, name) if stored else None)
+        return TensorField(name, partial(read_component, name) if stored else None, is_rigid=is_rigid)
 
     residual = read("residual_displacement")
     strain = read("equivalent_plastic_strain")

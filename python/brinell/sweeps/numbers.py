@@ -28,9 +28,10 @@ def residual_stress(run: Run) -> dict[str, float]:
     `residual.lower.max_xx_depth_m`, `residual.lower.min_xx_Pa`, ... Positive in tension.
     """
     final = run.snapshot("final")
+    yields = bool(np.any(run.history["max_equivalent_plastic_strain"]))
     found: dict[str, float] = {}
     for name, body in (("lower", final.lower), ("upper", final.upper)):
-        if not np.any(body.equivalent_plastic_strain):
+        if not (body.has_yielded if body.has("equivalent_plastic_strain") else yields):
             continue
         for component in ("xx", "yy"):
             stress = np.asarray(body.stress[component])

@@ -49,8 +49,11 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
       layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
 {
   const std::size_t n = grid_.size();
-  state_.plastic_strain.assign(Deviator::size * n, 0.0);
-  state_.equivalent.assign(n, 0.0);
+  if (!material.elastic.is_rigid())
+  {
+    state_.plastic_strain.assign(Deviator::size * n, 0.0);
+    state_.equivalent.assign(n, 0.0);
+  }
   state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   if (is_plastic())
     state_.stress.assign(Deviator::size * n, 0.0);

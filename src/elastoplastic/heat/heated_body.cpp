@@ -29,11 +29,12 @@ SurfaceGrid heat_grid(const SurfaceGrid& body)
 }
 
 /// Depths of the layers' centres [m], for twice as many layers as planned, because the material grid may grow.
-std::vector<double> depths_of(const VolumeGrid& volume)
+std::vector<double> depths_of(const VolumeGrid& volume, int layers)
 {
+  const int count = 2 * std::max(volume.nz, layers);
   std::vector<double> depths;
-  depths.reserve(2 * static_cast<std::size_t>(volume.nz));
-  for (int k = 0; k < 2 * volume.nz; ++k)
+  depths.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
     depths.push_back((k + 0.5) * volume.dz);
   return depths;
 }
@@ -76,9 +77,9 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
   else
   {
     const halfspace::HeatedLayers heated = heated_layers(volume, material, run.settings);
-    field_.emplace(grid_, thermal_, material.elastic, run.times, is_rigid_ ? std::vector<double>{} : depths_of(volume),
-                   numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry,
-                   heated);
+    field_.emplace(
+        grid_, thermal_, material.elastic, run.times, is_rigid_ ? std::vector<double>{} : depths_of(volume, run.layers),
+        numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry, heated);
     if (heated.count > 0)
       plastic_.emplace(grid_, run.settings.of_plastic_work);
   }

@@ -36,7 +36,6 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constan
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       eigenstrain_stress(volume, constants, surface_fft, shortest), image_correction(volume, constants, surface_fft)
 {
-  static_cast<void>(kernels_of({true, false, false}));
 }
 
 OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTraction<bool>& wanted) const

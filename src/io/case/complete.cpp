@@ -327,6 +327,7 @@ void complete_scenario(const CaseReader& reader, Case& c, ScenarioCase& scenario
   warn_of_heat(reader, c, scenario);
   check_stored_cells(reader, c.output.cells);
   read_points(reader, c, scenario);
+  scenario.fields_within = asks_for_fields_within(c.output);
   if (reader.problems.empty())
     at_its_key(reader, c, key, [&] { check_plan(reader, c, scenario); });
 }

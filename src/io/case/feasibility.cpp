@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fmt/format.h>
 #include <fstream>
 #include <unistd.h>
@@ -18,8 +19,10 @@ namespace brinell::io
 namespace
 {
 
-std::string volume_text(const VolumeGrid& grid)
+std::string volume_text(const VolumeGrid& grid, bool surface_only)
 {
+  if (surface_only)
+    return fmt::format("{} x {} cells of its surface", grid.surface.nx, grid.surface.ny);
   return fmt::format("{} x {} x {} cells", grid.surface.nx, grid.surface.ny, grid.nz);
 }
 
@@ -75,7 +78,8 @@ std::string grid_report(const simulation::Plan& plan)
   if (plan.symmetry == Symmetry::in_y)
     text += "# Symmetry: both sides of y = 0 are mirror images of each other; one of them is solved\n";
   return text + fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx,
-                            plan.contact.ny, volume_text(plan.lower), volume_text(plan.upper));
+                            plan.contact.ny, volume_text(plan.lower, plan.surfaces_only),
+                            volume_text(plan.upper, plan.surfaces_only));
 }
 
 /// Number of cells of the bodies that are solved: of twins one is.
@@ -85,12 +89,19 @@ double solved_cells(const simulation::Plan& plan)
   return static_cast<double>(plan.lower.size()) + (plan.twin == elastoplastic::Twin::none ? upper : 0.0);
 }
 
+/// A sentence as a comment of the resolved case; empty without one.
+std::string remark(std::string text)
+{
+  if (text.empty())
+    return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return fmt::format("# {}\n", text);
+}
+
 template <typename ScenarioCase, typename ScenarioPlanOf>
 std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
 {
-  std::string text = simulation::resolution_text(simulation::expected_quality(c, plan).resolution);
-  text.front() = 'R';
-  return fmt::format("# {}\n", text);
+  return remark(simulation::resolution_text(simulation::expected_quality(c, plan).resolution));
 }
 
 /// The plan; an error about the grid gets the key and place of the grid.
@@ -164,7 +175,7 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                       return yield_report(scenario, p) + io_of(scenario).motion(scenario, p) + grid_report(p) +
                              fmt::format("# Cost: {}, {:.0f} bytes per cell of the bodies that are solved\n",
                                          forecast_text(cost), cost.memory / solved_cells(p)) +
-                             result_report(c, plan) + quality_report(scenario, p);
+                             result_report(c, plan) + remark(left_out_text(c, plan)) + quality_report(scenario, p);
                     },
                     c.scenario);
 }

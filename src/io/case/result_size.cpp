@@ -58,6 +58,11 @@ double numbers_of_body(const simulation::Numerics& numerics, const simulation::S
   return on_surface * static_cast<double>(stored.surface.size()) + within * static_cast<double>(stored.size());
 }
 
+const simulation::Plan& part_of_all(const ScenarioPlan& plan)
+{
+  return std::visit([](const auto& one) -> const simulation::Plan& { return one; }, plan);
+}
+
 /// Numbers of the fields of a state.
 double numbers_of_state(const Case& c, const ScenarioPlan& any_plan, const Words& words, const StoredParts& parts)
 {
@@ -65,7 +70,7 @@ double numbers_of_state(const Case& c, const ScenarioPlan& any_plan, const Words
       [&](const auto& scenario)
       {
         const simulation::Numerics& numerics = scenario;
-        const auto& plan = std::visit([](const auto& one) -> const simulation::Plan& { return one; }, any_plan);
+        const simulation::Plan& plan = part_of_all(any_plan);
         const bool has_friction = numerics.friction.coefficient > 0.0;
         const bool has_heat = (scenario.lower.material.thermal || scenario.upper.material.thermal) &&
                               (has_friction || numerics.heat.source.exists());
@@ -92,13 +97,15 @@ double bytes_of(const Case& c, const ScenarioPlan& plan, const StoredParts& part
   return numbers * (parts.precision == Precision::single ? sizeof(float) : sizeof(double));
 }
 
-/// Candidates for the parts that are stored if the case names none: the first one that is small counts, or the last one.
-std::vector<StoredParts> candidates(const OutputChoice& choice)
+/// Candidates for the parts that are stored if the case does not name fields: the first one that is small counts, or the last one.
+std::vector<StoredParts> candidates(const OutputChoice& choice, const simulation::Plan& plan)
 {
   const Words all{"all"}, surface{"surface"},
       scalars{"surface", "von_mises_stress", "equivalent_plastic_strain", "temperature"};
   std::vector<std::pair<Words, Words>> in_steps_and_final{
       {all, all}, {scalars, all}, {surface, all}, {surface, scalars}, {surface, surface}};
+  if (plan.surfaces_only)
+    in_steps_and_final = {{surface, surface}};
   if (choice.fields)
     in_steps_and_final = {{*choice.fields, *choice.fields}};
   std::vector<StoredParts> result;
@@ -137,7 +144,7 @@ std::string size_text(double bytes)
 
 StoredParts stored_parts(const Case& c, const ScenarioPlan& plan)
 {
-  const std::vector<StoredParts> possible = candidates(c.output);
+  const std::vector<StoredParts> possible = candidates(c.output, part_of_all(plan));
   const auto found =
       std::ranges::find_if(possible, [&](const StoredParts& parts) { return bytes_of(c, plan, parts) <= small; });
   return found != possible.end() ? *found : possible.back();
@@ -160,11 +167,19 @@ std::string result_report(const Case& c, const ScenarioPlan& plan)
                      steps == 1.0 ? "" : "s", size_text(result_bytes(c, plan)));
 }
 
+std::string left_out_text(const Case& c, const ScenarioPlan& plan)
+{
+  if (!part_of_all(plan).surfaces_only || c.output.fields)
+    return "";
+  return "neither body can yield: fields on the surfaces are computed and stored, none within the bodies; "
+         "output.fields = \"all\", or names such as [\"surface\", \"von_mises_stress\"], adds those";
+}
+
 std::vector<Warning> result_warnings(const Case& c, const ScenarioPlan& plan)
 {
   std::vector<Warning> warnings;
   const StoredParts parts = stored_parts(c, plan);
-  const StoredParts most = candidates(c.output).front();
+  const StoredParts most = candidates(c.output, part_of_all(plan)).front();
   const double bytes = bytes_of(c, plan, parts);
   if (parts.in_steps != most.in_steps) // single precision alone needs no words
     warnings.push_back(

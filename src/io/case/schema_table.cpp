@@ -182,8 +182,11 @@ std::vector<Entry> output_entries()
             &Case::snapshots),
       bound({.key = "output.fields",
              .choices = field_words(),
-             .unset = "all, as far as the result stays below 200 MB",
-             .text = "Fields of the stored states. \"surface\": all fields on surfaces, and none within the bodies; "
+             .unset = "all, as far as the result stays below 200 MB; if neither body can yield, \"surface\" unless "
+                      "output.depth, a plane or output.points asks for more",
+             .text = "Fields of the stored states. \"surface\": all fields on surfaces, and none within the bodies. If "
+                     "neither body can yield, those within are computed only if they are stored: contact and surfaces "
+                     "do not need them, and they cost far more time and memory than everything else. "
                      "\"shear\", \"slip\", \"surface_temperature\" and \"heat_flux\" are the fields of the "
                      "contact of these names with all their components. Pressure and gap are always stored."},
             &Case::output, &OutputChoice::fields),

@@ -162,12 +162,12 @@ std::vector<NamedNumber> columns_of(const Scenario& scenario)
 
 struct ResultDirectory::State
 {
-  State(const fs::path& folder, const Case& c, Mode mode)
+  State(const fs::path& folder, const Case& c, StoredParts parts, Mode mode)
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
         lock(path), checkpoint(checkpoint_to_resume(path, c, mode)),
         replaced(!checkpoint && removed_earlier_result(path, mode) && mode == Mode::replace),
         history(path / "history.csv", columns_of(c.scenario), checkpoint ? &*checkpoint : nullptr),
-        result(path, c, history.columns(), checkpoint ? &*checkpoint : nullptr)
+        result(path, c, std::move(parts), history.columns(), checkpoint ? &*checkpoint : nullptr)
   {
     if (!c.output.points.empty())
     {
@@ -199,8 +199,8 @@ struct ResultDirectory::State
   ResultFile result;
 };
 
-ResultDirectory::ResultDirectory(const fs::path& path, const Case& c, Mode mode)
-    : state_(std::make_unique<State>(path, c, mode))
+ResultDirectory::ResultDirectory(const fs::path& path, const Case& c, StoredParts parts, Mode mode)
+    : state_(std::make_unique<State>(path, c, std::move(parts), mode))
 {
 }
 ResultDirectory::ResultDirectory(ResultDirectory&&) noexcept = default;

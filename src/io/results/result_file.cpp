@@ -4,7 +4,6 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/io/citations.hpp"
-#include "brinell/io/feasibility.hpp"
 #include "brinell/io/result_image.hpp"
 #include "brinell/io/versions.hpp"
 #include "earlier_result.hpp"
@@ -256,9 +255,9 @@ std::string ResultFile::Piece::group() const
   return is_final ? final_group : group_of_step(step);
 }
 
-ResultFile::ResultFile(fs::path folder, const Case& c, const std::vector<HistoryColumn>& history,
+ResultFile::ResultFile(fs::path folder, const Case& c, StoredParts parts, const std::vector<HistoryColumn>& history,
                        const Archive::Fields* checkpoint)
-    : folder_(std::move(folder)), description_(c), parts_(stored_parts(c, plan_case(c))), history_(history)
+    : folder_(std::move(folder)), description_(c), parts_(std::move(parts)), history_(history)
 {
   if (checkpoint)
   {
@@ -385,7 +384,7 @@ void ResultFile::write_merged(const std::string& summary) const
 
 struct ResultImage::State
 {
-  explicit State(const Case& c) : description(c), parts(stored_parts(c, plan_case(c)))
+  State(const Case& c, StoredParts stored) : description(c), parts(std::move(stored))
   {
     (void)h5::create_group(file, "steps");
   }
@@ -403,7 +402,7 @@ struct ResultImage::State
   h5::Handle file = h5::create_file_in_memory();
 };
 
-ResultImage::ResultImage(const Case& c) : state_(std::make_unique<State>(c)) {}
+ResultImage::ResultImage(const Case& c, StoredParts parts) : state_(std::make_unique<State>(c, std::move(parts))) {}
 ResultImage::~ResultImage() = default;
 ResultImage::ResultImage(ResultImage&&) noexcept = default;
 ResultImage& ResultImage::operator=(ResultImage&&) noexcept = default;

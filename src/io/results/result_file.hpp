@@ -28,9 +28,10 @@ class ResultFile
 {
 public:
   /// Writes an index of the steps that a checkpoint contains, or an empty one for a new run. @throws IoError (all members)
+  /// @param parts       what is stored
   /// @param history     its rows are written with each index; must outlive this object.
   /// @param checkpoint  nullptr: a new run
-  ResultFile(std::filesystem::path folder, const Case& c, const std::vector<HistoryColumn>& history,
+  ResultFile(std::filesystem::path folder, const Case& c, StoredParts parts, const std::vector<HistoryColumn>& history,
              const Archive::Fields* checkpoint);
 
   /// Histories of points, which are written with each index; they must outlive this object.

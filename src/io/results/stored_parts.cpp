@@ -208,6 +208,18 @@ bool chooses(const std::vector<std::string>& words, std::string_view field)
          (has("surface") && !is_within(field));
 }
 
+bool asks_for_fields_within(const OutputChoice& choice)
+{
+  if (!choice.points.empty())
+    return true;
+  if (choice.fields)
+    return std::ranges::any_of(*choice.fields,
+                               [](const std::string& word) { return word == "all" || is_within(word); });
+  const auto is_plane = [](const std::optional<std::vector<double>>& region)
+  { return region && region->front() == region->back(); };
+  return choice.cells.depth || is_plane(choice.cells.region_x) || is_plane(choice.cells.region_y);
+}
+
 StepFields chosen_fields(const StepFields& fields, const std::vector<std::string>& words, const StoredParts& parts)
 {
   StepFields chosen = fields;

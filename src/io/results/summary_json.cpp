@@ -177,6 +177,7 @@ void put_totals(Json& json, const ScenarioCase& c, const typename ScenarioCase::
   json["residual"] = residual_json(s);
   if constexpr (requires { plan.shift; })
     json["grid"]["shift_m"] = plan.shift;
+  json["grid"]["surfaces_only"] = plan.surfaces_only;
 }
 
 Json warnings_json(const std::vector<Warning>& warnings)

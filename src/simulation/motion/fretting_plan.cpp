@@ -166,6 +166,7 @@ FrettingPlan plan(const FrettingCase& fretting)
                    ? ""
                    : "the surfaces do not slide without a cycle, or with an amplitude of 0; allowed: 0, or a motion");
   FrettingPlan plan;
+  plan.surfaces_only = needs_surfaces_only(fretting, fretting.lower, fretting.upper);
   lay_out(fretting, f, 0.0, 0.0, plan);
   require_cells_in_periods(fretting.lower, fretting.upper, fretting.domain, plan.contact);
   require_source_fits(fretting, plan.contact);

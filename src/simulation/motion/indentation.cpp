@@ -311,6 +311,7 @@ IndentationPlan plan(const IndentationCase& indentation)
   for (const double x : indentation.places)
     track = std::max(track, std::abs(x));
   IndentationPlan plan;
+  plan.surfaces_only = needs_surfaces_only(indentation, indentation.lower, indentation.upper);
   lay_out(indentation, f, track, 0.0, plan);
   require_cells_in_periods(indentation.lower, indentation.upper, indentation.domain, plan.contact);
   plan.reference = reference_distance(indentation.lower.shape, indentation.upper.shape, indentation.domain);

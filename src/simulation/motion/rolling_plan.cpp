@@ -135,6 +135,7 @@ RollingPlan plan(const RollingCase& rolling)
   // An even number, so that a step ends at the middle of the track.
   plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
   const double track = 0.5 * plan.rolling_steps * plan.shift;
+  plan.surfaces_only = needs_surfaces_only(rolling, rolling.lower, rolling.upper);
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
   require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
   require_source_fits(rolling, plan.contact);

@@ -75,8 +75,10 @@ template <typename Case>
 class Run<Case>::State
 {
 public:
-  State(Case scenario, Watch watch, const Archive::Fields* checkpoint)
-      : case_(std::move(scenario)), plan_(plan(case_)), motion_(case_, plan_), stepper_(plan_, setup(std::move(watch)))
+  /// @param known  the plan of the case; nullptr: it is made
+  State(Case scenario, Watch watch, const Archive::Fields* checkpoint, const typename Case::Plan* known)
+      : case_(std::move(scenario)), plan_(known != nullptr ? *known : plan(case_)), motion_(case_, plan_),
+        stepper_(plan_, setup(std::move(watch)))
   {
     if (checkpoint != nullptr)
       restore(*checkpoint);
@@ -196,7 +198,12 @@ private:
 
 template <typename Case>
 Run<Case>::Run(Case scenario, Watch watch, const Archive::Fields* checkpoint)
-    : state_(std::make_unique<State>(std::move(scenario), std::move(watch), checkpoint))
+    : state_(std::make_unique<State>(std::move(scenario), std::move(watch), checkpoint, nullptr))
+{
+}
+template <typename Case>
+Run<Case>::Run(Case scenario, Watch watch, const Archive::Fields* checkpoint, const typename Case::Plan& plan)
+    : state_(std::make_unique<State>(std::move(scenario), std::move(watch), checkpoint, &plan))
 {
 }
 template <typename Case>

@@ -151,6 +151,7 @@ SlidingPlan plan(const SlidingCase& sliding)
     throw KeyError("sliding.shift", fmt::format("sliding.shift = {:g} m; allowed: > 0, up to sliding.distance = {:g} m",
                                                 plan.shift, sliding.distance));
   plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "sliding.distance"));
+  plan.surfaces_only = needs_surfaces_only(sliding, sliding.lower, sliding.upper);
   lay_out(sliding, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
   require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
   require_source_fits(sliding, plan.contact);

@@ -20,6 +20,13 @@ std::size_t middle(const VolumeGrid& grid, int layer)
   return grid.index((s.nx - 1) / 2, (s.ny - 1) / 2, layer);
 }
 
+/// Equivalent plastic strain in a layer under x = y = 0; a rigid body has none.
+double strain_in_middle(const elastoplastic::Body& body, int layer)
+{
+  const std::vector<double>& equivalent = body.state().equivalent;
+  return equivalent.empty() ? 0.0 : equivalent[middle(body.grid(), layer)];
+}
+
 } // namespace
 
 TrackReader::TrackReader(double distance, double shift) : quarter_(std::max(0.25 * distance, shift) * (1.0 + 1e-9)) {}
@@ -28,7 +35,7 @@ void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipatio
 {
   plastic_strain_.assign(static_cast<std::size_t>(lower.grid().nz), 0.0);
   for (int layer = 0; layer < lower.grid().nz; ++layer)
-    plastic_strain_[static_cast<std::size_t>(layer)] = lower.state().equivalent[middle(lower.grid(), layer)];
+    plastic_strain_[static_cast<std::size_t>(layer)] = strain_in_middle(lower, layer);
   dissipation_ = dissipation;
   sum_force_ = sum_pressure_ = sum_load_ = sum_area_ = 0.0;
   before_ = after_ = {};
@@ -73,21 +80,19 @@ void TrackReader::add(const RollingRecord& record)
 RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const
 {
   const elastoplastic::BodyState& lower = pair.lower().solved().state();
-  const elastoplastic::BodyState& upper = pair.upper().solved().state();
   const VolumeGrid& grid = pair.lower().grid(); // may have grown in the pass
   const SurfaceGrid& s = grid.surface;
   RollingPass pass;
   pass.rut_depth = lower.residual_displacement[middle(grid, 0)];
   for (int j = 0; j < s.ny; ++j)
     pass.shoulder_height = std::max(pass.shoulder_height, -lower.residual_displacement[s.index((s.nx - 1) / 2, j)]);
-  for (const elastoplastic::BodyState* body : {&lower, &upper})
-    pass.max_equivalent_plastic_strain = std::max(pass.max_equivalent_plastic_strain,
-                                                  *std::max_element(body->equivalent.begin(), body->equivalent.end()));
+  pass.max_equivalent_plastic_strain =
+      std::max(pair.lower().solved().plastic_zone().largest(), pair.upper().solved().plastic_zone().largest());
   for (int layer = 0; layer < grid.nz; ++layer)
   {
     const auto l = static_cast<std::size_t>(layer);
     const double before = l < plastic_strain_.size() ? plastic_strain_[l] : 0.0;
-    const double now = lower.equivalent[middle(grid, layer)];
+    const double now = strain_in_middle(pair.lower().solved(), layer);
     pass.track_plastic_strain = std::max(pass.track_plastic_strain, now);
     pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
   }

@@ -279,6 +279,7 @@ TuggingPlan plan(const TuggingCase& tugging)
                                  "less than either",
                                  pair.texture.height, pass.radius_lower(), pass.radius_upper()));
   TuggingPlan plan;
+  plan.surfaces_only = needs_surfaces_only(tugging, tugging.lower, tugging.upper);
   lay_out(cell, extents_of(tugging, pair, pass), tugging.domain, plan);
   require_cells_in_periods(tugging.lower, tugging.upper, tugging.domain, plan.contact);
   require_source_fits(tugging, plan.contact);

@@ -62,7 +62,10 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 /// Whether two half spaces under the same pressure always have the same strain: the same plastic material, and no textures.
 [[nodiscard]] bool alike(const ShapedBody& lower, const ShapedBody& upper);
 
-/// Sets grids and tolerances of a plan for a contact that moves along the bodies.
+/// Whether a run needs no fields within the bodies: none that yields, and none that is wanted.
+[[nodiscard]] bool needs_surfaces_only(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
+
+/// Sets grids and tolerances of a plan, whose `surfaces_only` is set, for a contact that moves along the bodies.
 /// @param track_lower, track_upper  largest distance of the contact's centre from the middle of each body's grid [m].
 void lay_out(const Numerics& numerics, const Footprint& footprint, double track_lower, double track_upper, Plan& plan);
 

@@ -130,13 +130,14 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
   { return axis.is_periodic() ? 0.5 * axis.size : extent; };
   const double longest = half_length(domain.x, std::max({extents.contact_x, extents.lower_x, extents.upper_x}));
   const double widest = half_length(domain.y, extents.contact_y);
-  const double count = 4.0 * longest / dx * (widest / dy) * (extents.depth / dz);
+  const double count = 4.0 * longest / dx * (widest / dy) * (plan.surfaces_only ? 1.0 : extents.depth / dz);
   if (!(count < most_cells))
     throw GridError(fmt::format("grid: {:.1e} cells for a track of {:.3g} x {:.3g} m with a plastic zone of {:.3g} m; "
                                 "allowed: fewer than {:.0e}, so larger cells or a shorter track",
                                 count, 2.0 * longest, 2.0 * widest, extents.depth, most_cells));
   const auto cells_along = [](const Domain::Axis& axis, double extent, double cell, int more)
   { return axis.is_periodic() ? cells_in(axis, cell) : odd_cells(extent, cell, more); };
+  plan.layers = std::max(2, static_cast<int>(std::ceil(extents.depth / dz - 1e-9)));
   plan.contact = {cells_along(domain.x, extents.contact_x, dx, 0),
                   cells_along(domain.y, extents.contact_y, dy, 0),
                   dx,
@@ -147,7 +148,7 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
   {
     grid->surface = plan.contact;
     grid->surface.nx = std::max(plan.contact.nx, cells_along(domain.x, extent, dx, margin));
-    grid->nz = std::max(2, static_cast<int>(std::ceil(extents.depth / dz - 1e-9)));
+    grid->nz = plan.surfaces_only ? 1 : plan.layers;
     grid->dz = dz;
   }
 }

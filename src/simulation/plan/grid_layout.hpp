@@ -31,7 +31,7 @@ struct Extents
 /// Widens the extents to those of a heat source on one body.
 void cover(const elastoplastic::HeatSource& source, Extents& extents);
 
-/// Sets the grids of a plan. Numbers of columns and rows are odd, so that one cell is in the middle. The material grids have the
+/// Sets the grids of a plan; its `surfaces_only` must be set. Numbers of columns and rows are odd, so that one cell is in the middle. The material grids have the
 /// rows of the contact grid; they get some more columns than requested, because material is pushed ahead, and never fewer than
 /// the contact grid. Along a periodic axis all three grids have the cells of one period.
 /// @throws GridError if the grids are absurdly large

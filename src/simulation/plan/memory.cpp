@@ -36,6 +36,8 @@ double operator_bytes(const VolumeGrid& grid, const constitutive::Material& mate
 double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
 {
   constexpr double fields_of_elastic_body = 6.0; // plastic strain and its equivalent, which are zero
+  if (material.elastic.is_rigid())
+    return 0.0;
   if (!material.is_plastic())
     return field_bytes(grid, fields_of_elastic_body);
   constexpr double flags = 0.125;
@@ -195,8 +197,9 @@ MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, 
                     .contact = contact_bytes(plan.contact, shears)};
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
   {
-    parts.output = std::max(parts.output, output_bytes(*grid, *material, shears));
-    if (grid == &plan.lower || !shares_operators)
+    if (!plan.surfaces_only)
+      parts.output = std::max(parts.output, output_bytes(*grid, *material, shears));
+    if (!plan.surfaces_only && (grid == &plan.lower || !shares_operators))
       parts.operators += operator_bytes(*grid, *material, shears);
     if (has_twin && grid == &plan.upper)
       continue;

@@ -228,7 +228,7 @@ Sizes sizes_of(const Situation& s)
   Sizes sizes;
   for (const auto& [body, grid] : {std::pair{&s.lower, &s.plan.lower}, {&s.upper, &s.plan.upper}})
   {
-    if (body->material.elastic.is_rigid())
+    if (body->material.elastic.is_rigid() || s.plan.surfaces_only)
       continue;
     const double all = unit * transform(grid->surface) * grid->nz;
     sizes.output += all;

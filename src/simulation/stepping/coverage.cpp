@@ -40,10 +40,11 @@ double pressure_beside(const SurfaceGrid& grid, std::span<const double> pressure
   return pressure[grid.index((i + grid.nx) % grid.nx, (j + grid.ny) % grid.ny)];
 }
 
-/// Cells in contact, their ends along each axis, and the place of the largest pressure.
+/// Cells in contact, their extent, their ends along each axis, and the place of the largest pressure.
 struct Patches
 {
   int cells = 0;
+  int columns = 0, rows = 0; ///< from the first to the last one with contact
   std::array<int, 2> ends{0, 0};
   int i = 0, j = 0;
   double largest = 0.0;
@@ -52,15 +53,26 @@ struct Patches
 Patches patches_of(const SurfaceGrid& grid, std::span<const double> pressure)
 {
   Patches p;
+  int left = grid.nx, right = -1, front = grid.ny, back = -1;
   for (int j = 0; j < grid.ny; ++j)
+  {
+    const double* row = pressure.data() + grid.index(0, j);
+    const double* next_row = row + grid.nx;
+    if (j + 1 == grid.ny)
+      next_row = grid.is_periodic_y() ? pressure.data() : nullptr;
     for (int i = 0; i < grid.nx; ++i)
     {
-      const double here = pressure[grid.index(i, j)];
+      const double here = row[i];
       if (!(here > 0.0))
         continue;
       ++p.cells;
-      p.ends[0] += pressure_beside(grid, pressure, i, j, 1, 0) > 0.0 ? 0 : 1;
-      p.ends[1] += pressure_beside(grid, pressure, i, j, 0, 1) > 0.0 ? 0 : 1;
+      left = std::min(left, i);
+      right = std::max(right, i);
+      front = std::min(front, j);
+      back = j;
+      const double next = i + 1 < grid.nx ? row[i + 1] : grid.is_periodic_x() ? row[0] : 0.0;
+      p.ends[0] += next > 0.0 ? 0 : 1;
+      p.ends[1] += next_row != nullptr && next_row[i] > 0.0 ? 0 : 1;
       if (here > p.largest)
       {
         p.largest = here;
@@ -68,6 +80,12 @@ Patches patches_of(const SurfaceGrid& grid, std::span<const double> pressure)
         p.j = j;
       }
     }
+  }
+  if (p.cells > 0)
+  {
+    p.columns = right - left + 1;
+    p.rows = back - front + 1;
+  }
   return p;
 }
 
@@ -96,11 +114,13 @@ double peak_radius(const SurfaceGrid& grid, std::span<const double> pressure, co
   return std::min({along(1, 0), along(0, 1), static_cast<double>(std::max(grid.nx, grid.ny))});
 }
 
-/// Follows patches and peak of pressure.
+/// Follows extent, patches and peak of pressure.
 void extend_to_patches(Coverage& coverage, const SurfaceGrid& grid, std::span<const double> pressure)
 {
   constexpr double grown = 1.25, like = 0.8; // of the largest contact so far
   const Patches p = patches_of(grid, pressure);
+  coverage.contact_columns = std::max(coverage.contact_columns, p.columns);
+  coverage.contact_rows = std::max(coverage.contact_rows, p.rows);
   if (p.cells == 0)
     return;
   if (p.cells > grown * coverage.largest_contact)
@@ -121,20 +141,7 @@ void extend_to_patches(Coverage& coverage, const SurfaceGrid& grid, std::span<co
 
 void extend(Coverage& coverage, const elastoplastic::CoupledContact& pair)
 {
-  const SurfaceGrid& grid = pair.grid();
-  int left = grid.nx, right = -1, front = grid.ny, back = -1;
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i)
-      if (pair.pressure()[grid.index(i, j)] > 0.0)
-      {
-        left = std::min(left, i);
-        right = std::max(right, i);
-        front = std::min(front, j);
-        back = std::max(back, j);
-      }
-  coverage.contact_columns = std::max(coverage.contact_columns, right - left + 1);
-  coverage.contact_rows = std::max(coverage.contact_rows, back - front + 1);
-  extend_to_patches(coverage, grid, pair.pressure());
+  extend_to_patches(coverage, pair.grid(), pair.pressure());
   // The body with the larger plastic strain has to be resolved.
   const bool lower_yields_more = pair.lower().solved().state().dissipation >= pair.upper().solved().state().dissipation;
   coverage.plastic_layers = plastic_layers(lower_yields_more ? pair.lower().solved() : pair.upper().solved());

@@ -104,8 +104,21 @@ Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, co
           {}};
 }
 
+namespace
+{
+
+/// Heat is computed in the same waves whether or not there are fields within the bodies.
+Stepper::Setup with_layers(Stepper::Setup setup, const Plan& plan)
+{
+  if (setup.sliding.heat)
+    setup.sliding.heat->layers = plan.layers;
+  return setup;
+}
+
+} // namespace
+
 Stepper::Stepper(const Plan& plan, Setup setup)
-    : setup_(std::move(setup)), plan_(plan), lattice_(plan, setup_.start), pair_(make_pair()),
+    : setup_(with_layers(std::move(setup), plan)), plan_(plan), lattice_(plan, setup_.start), pair_(make_pair()),
       distance_(plan.contact.size()),
       distance_x0_(nan), depths_{std::vector<double>(plan.contact.size()), std::vector<double>(plan.contact.size())}
 {

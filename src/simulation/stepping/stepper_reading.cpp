@@ -158,6 +158,9 @@ StepFields Stepper::fields(const Centre& centre) const
   s.upper = surface_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
   set_heat(*pair_, s);
   set_surfaces(*pair_, s);
+  fields.are_alike = plan_.twin == elastoplastic::Twin::alike && frame.placement.lower == frame.placement.upper;
+  if (plan_.surfaces_only)
+    return fields;
   std::function<std::vector<double>()> lower_temperature, upper_temperature;
   if (pair_->heating() != nullptr)
   {
@@ -170,7 +173,6 @@ StepFields Stepper::fields(const Centre& centre) const
   fields.upper = fields_within(
       pair_->upper(), [this, place = frame.placement.upper](int layers) { return pair_->upper_stress(place, layers); },
       upper_temperature);
-  fields.are_alike = plan_.twin == elastoplastic::Twin::alike && frame.placement.lower == frame.placement.upper;
   return fields;
 }
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// One step with fields, and a checkpoint after it.
 void write_stopped(const fs::path& folder)
 {
-  ResultDirectory results(folder, sample::parsed());
+  ResultDirectory results(folder, sample::parsed(), {});
   results.add(sample::columns(0));
   results.add(0, sample::columns(0), sample::fields());
   results.add_checkpoint(
@@ -42,7 +42,7 @@ void expect_refused(const fs::path& folder, const fs::path& file, const std::str
 {
   try
   {
-    const ResultDirectory results(folder, sample::parsed(), ResultDirectory::Mode::resume);
+    const ResultDirectory results(folder, sample::parsed(), {}, ResultDirectory::Mode::resume);
     ADD_FAILURE() << file;
   }
   catch (const IoError& error)
@@ -56,9 +56,10 @@ TEST(DamagedResult, EveryDamagedBitIsSeen)
 {
   const sample::TemporaryFolder folder;
   write_stopped(folder.path());
-  EXPECT_EQ(
-      ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).take_checkpoint()->at("field"),
-      sample::numbered(5, 3, 2));
+  EXPECT_EQ(ResultDirectory(folder.path(), sample::parsed(), {}, ResultDirectory::Mode::resume)
+                .take_checkpoint()
+                ->at("field"),
+            sample::numbered(5, 3, 2));
   for (const char* name : {"checkpoint.h5", "snapshots/000000.h5"})
   {
     const fs::path file = folder.path() / name;
@@ -72,10 +73,10 @@ TEST(DamagedResult, EveryDamagedBitIsSeen)
       std::ofstream(file, std::ios::binary) << whole;
     }
     std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() / 2);
-    EXPECT_THROW(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume), IoError) << name;
+    EXPECT_THROW(ResultDirectory(folder.path(), sample::parsed(), {}, ResultDirectory::Mode::resume), IoError) << name;
     std::ofstream(file, std::ios::binary) << whole;
   }
-  EXPECT_TRUE(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).take_checkpoint());
+  EXPECT_TRUE(ResultDirectory(folder.path(), sample::parsed(), {}, ResultDirectory::Mode::resume).take_checkpoint());
 }
 
 TEST(DamagedResult, HistoryIsRestored)
@@ -85,17 +86,17 @@ TEST(DamagedResult, HistoryIsRestored)
   const fs::path file = folder.path() / "history.csv";
   const std::string whole = sample::file_text(file);
   std::ofstream(file) << "damaged";
-  EXPECT_EQ(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume).finished_steps(), 1);
+  EXPECT_EQ(ResultDirectory(folder.path(), sample::parsed(), {}, ResultDirectory::Mode::resume).finished_steps(), 1);
   EXPECT_EQ(sample::file_text(file), whole);
   fs::remove(file);
-  static_cast<void>(ResultDirectory(folder.path(), sample::parsed(), ResultDirectory::Mode::resume));
+  static_cast<void>(ResultDirectory(folder.path(), sample::parsed(), {}, ResultDirectory::Mode::resume));
   EXPECT_EQ(sample::file_text(file), whole);
 }
 
 TEST(DamagedResult, DamagedPieceIsNotMergedAndStays)
 {
   const sample::TemporaryFolder folder;
-  ResultDirectory results(folder.path(), sample::parsed());
+  ResultDirectory results(folder.path(), sample::parsed(), {});
   results.add(sample::columns(0));
   results.add(0, sample::columns(0), sample::fields());
   const fs::path piece = folder.path() / "snapshots" / "000000.h5";
@@ -163,7 +164,7 @@ TEST(DamagedResult, CheckpointIsNotTrusted)
     change_checkpoint(folder.path() / "checkpoint.h5", change);
     try
     {
-      const ResultDirectory results(folder.path(), sample::parsed(), ResultDirectory::Mode::resume);
+      const ResultDirectory results(folder.path(), sample::parsed(), {}, ResultDirectory::Mode::resume);
       ADD_FAILURE() << what;
     }
     catch (const IoError& error)

@@ -20,7 +20,7 @@ using sample::write_complete;
 TEST(ResultFolder, FinishedStepsAreReadableAtAnyTime)
 {
   const sample::TemporaryFolder folder;
-  ResultDirectory results(folder.path(), sample::parsed());
+  ResultDirectory results(folder.path(), sample::parsed(), {});
   EXPECT_TRUE(fs::exists(folder.path() / "result.vtkhdf"));
   for (int step = 0; step < 3; ++step)
   {
@@ -38,11 +38,11 @@ TEST(ResultFolder, EarlierResultGoesBeforeTheNewOneBegins)
   const Case c = sample::parsed();
   std::ofstream(folder.path() / "notes.txt") << "of the user";
   {
-    const ResultDirectory first(folder.path(), c);
+    const ResultDirectory first(folder.path(), c, {});
     EXPECT_FALSE(first.replaced()) << "a file of the user is no result";
   }
   write_complete(folder.path(), c);
-  const ResultDirectory again(folder.path(), c);
+  const ResultDirectory again(folder.path(), c, {});
   EXPECT_TRUE(again.replaced());
   EXPECT_FALSE(fs::exists(folder.path() / "summary.json"));
   EXPECT_TRUE(dataset(folder.path() / "result.vtkhdf", "/steps/000000/contact/pressure").empty());
@@ -63,7 +63,7 @@ TEST(ResultFolder, OnlyFilesOfARunAreRemoved)
     std::ofstream(place / name) << "mine";
     try
     {
-      const ResultDirectory results(place, c);
+      const ResultDirectory results(place, c, {});
       ADD_FAILURE() << name;
     }
     catch (const InputError& error)
@@ -84,7 +84,7 @@ TEST(ResultFolder, WhatElseIsBesideTheStoredStepsStays)
   for (int i = 0; i < 2; ++i)
     write_complete(folder.path(), sample::parsed());
   {
-    ResultDirectory stopped(folder.path(), sample::parsed());
+    ResultDirectory stopped(folder.path(), sample::parsed(), {});
     stopped.add(sample::columns(0));
     stopped.add(0, sample::columns(0), sample::fields());
   }
@@ -103,7 +103,7 @@ TEST(ResultFolder, DamagedResultIsReplaced)
     const sample::TemporaryFolder folder;
     write_complete(folder.path(), sample::parsed());
     std::ofstream(folder.path() / name) << "damaged";
-    EXPECT_TRUE(ResultDirectory(folder.path(), sample::parsed()).replaced()) << name;
+    EXPECT_TRUE(ResultDirectory(folder.path(), sample::parsed(), {}).replaced()) << name;
   }
 }
 
@@ -111,10 +111,10 @@ TEST(ResultFolder, OneRunPerFolder)
 {
   const sample::TemporaryFolder folder;
   const Case c = sample::parsed();
-  ResultDirectory first(folder.path(), c);
+  ResultDirectory first(folder.path(), c, {});
   first.add(sample::columns(0));
   const std::string before = sample::file_text(folder.path() / "history.csv");
-  EXPECT_THROW(ResultDirectory(folder.path(), c), IoError);
+  EXPECT_THROW(ResultDirectory(folder.path(), c, {}), IoError);
   EXPECT_EQ(sample::file_text(folder.path() / "history.csv"), before);
 }
 
@@ -122,8 +122,8 @@ TEST(ResultFolder, SaysThatItCannotBeWritten)
 {
   const sample::TemporaryFolder folder;
   std::ofstream(folder.path() / "file") << "x";
-  EXPECT_THROW(ResultDirectory(folder.path() / "file", sample::parsed()), IoError);
-  EXPECT_THROW(ResultDirectory(folder.path() / "file" / "below", sample::parsed()), IoError);
+  EXPECT_THROW(ResultDirectory(folder.path() / "file", sample::parsed(), {}), IoError);
+  EXPECT_THROW(ResultDirectory(folder.path() / "file" / "below", sample::parsed(), {}), IoError);
   EXPECT_THROW(replace_file("/nowhere/file", "text"), IoError);
 }
 

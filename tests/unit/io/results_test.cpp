@@ -117,7 +117,7 @@ TEST(Results, InMemoryAreTheSameFields)
   const sample::TemporaryFolder folder;
   const Case c = sample::parsed();
   write_complete(folder.path(), c);
-  ResultImage image(c);
+  ResultImage image(c, {});
   EXPECT_FALSE(image.take_checkpoint().has_value());
   image.add(sample::columns(0));
   image.add(0, sample::columns(0), sample::fields());
@@ -140,7 +140,7 @@ TEST(Results, InMemoryAreTheSameFields)
 TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
 {
   const sample::TemporaryFolder folder;
-  ResultDirectory results(folder.path(), sample::parsed());
+  ResultDirectory results(folder.path(), sample::parsed(), {});
   simulation::Snapshot snapshot = sample::snapshot();
   std::ranges::fill(snapshot.lower.stress[5], 8.0); // xy
   snapshot.lower.contact_x = -0.25;                 // so that the contact's column 0 is the lower body's
@@ -181,7 +181,7 @@ TEST(Results, VtkhdfShowsAllStatesOnOneAxis)
 TEST(Results, UnfinishedFileShowsTheNewestStates)
 {
   const sample::TemporaryFolder folder;
-  ResultDirectory results(folder.path(), sample::parsed());
+  ResultDirectory results(folder.path(), sample::parsed(), {});
   for (int step = 0; step < 33; ++step)
   {
     results.add(sample::columns(step));
@@ -208,7 +208,7 @@ TEST(Results, BodiesThatAreAlikeHaveTheSameFieldsStored)
   snapshot.upper.contact_x = contact_x;
   const auto write = [&](const fs::path& path, const simulation::StepFields& fields)
   {
-    ResultDirectory results(path, sample::parsed());
+    ResultDirectory results(path, sample::parsed(), {});
     results.add(sample::columns(0));
     results.add(0, sample::columns(0), fields);
     results.add_final(fields, sample::columns(0));
@@ -235,7 +235,7 @@ TEST(Results, BodiesThatAreAlikeHaveTheSameFieldsStored)
 TEST(Results, FieldsMustFitTheirGrid)
 {
   const sample::TemporaryFolder folder;
-  ResultDirectory results(folder.path(), sample::parsed());
+  ResultDirectory results(folder.path(), sample::parsed(), {});
   simulation::Snapshot snapshot = sample::snapshot();
   snapshot.pressure.pop_back();
   EXPECT_THROW(results.add(0, sample::columns(0), sample::fields_of(snapshot)), InternalError);

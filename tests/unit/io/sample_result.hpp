@@ -88,7 +88,7 @@ inline simulation::TuggingSummary hand_made_summary(const Case& c)
 
 inline void write_complete(const fs::path& folder, const Case& c)
 {
-  ResultDirectory results(folder, c);
+  ResultDirectory results(folder, c, {});
   results.add(columns(0));
   results.add(0, columns(0), fields());
   results.add(columns(1));
