@@ -215,7 +215,9 @@ class Output(_Table):
         depth: depth down to which layers are stored [m].
         region_x: first and last x of the stored columns, on the surface of each body [m]; equal numbers store one.
         region_y: first and last y of the stored rows [m]; (0, 0) stores the plane y = 0.
+        region_z: first and last depth of the stored layers [m], instead of `depth`; equal numbers store one.
         stride: distance between stored columns, and between stored rows, in cells.
+        stride_z: distance between stored layers, in layers.
         points: points at which each step records stress and strain, a list of `brinell.Point`.
         precision: "double" or "single"; None: single if the result would exceed 200 MB.
         directory: folder of the results for the command line; `Case.run` has an argument of its own for it.
@@ -228,7 +230,9 @@ class Output(_Table):
     depth: Quantity | None = None
     region_x: tuple[Quantity, Quantity] | None = None
     region_y: tuple[Quantity, Quantity] | None = None
+    region_z: tuple[Quantity, Quantity] | None = None
     stride: int | None = None
+    stride_z: int | None = None
     precision: Literal["double", "single"] | None = None
     points: Sequence[Point | Mapping[str, Any]] | None = None
     directory: str | Path | None = None
