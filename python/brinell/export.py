@@ -14,6 +14,7 @@ from pyevtk.vtk import VtkFile, VtkGroup, VtkImageData
 
 from brinell.errors import InputError
 from brinell.results import Labelled, Run, open_run
+from brinell.results.blocks import layer_thickness
 from brinell.results.snapshots import component_of
 
 __all__ = ["export", "export_vti"]
@@ -114,7 +115,7 @@ def _write_image(
     left, front, top = (x - 0.5 * dx for x, dx in zip(first, spacing, strict=True))
     if below:  # the last index is the depth, which points down
         arrays = {name: np.asfortranarray(values[:, :, ::-1]) for name, values in arrays.items()}
-        top = -shape[2] * spacing[2]
+        top = -float(coords["z"][-1]) - 0.5 * spacing[2]
     return _write_vti(path, "Cell", shape, (left, front, top), spacing, arrays)
 
 
@@ -122,7 +123,7 @@ def _spacing(coords: Mapping[str, NDArray[np.float64]]) -> tuple[float, float, f
     """Cell sizes [m]. A single row is drawn as wide as its cells are long, because its period may be a metre."""
     dx = float(np.ptp(coords["x"][:2]))
     dy = float(np.ptp(coords["y"][:2])) if len(coords["y"]) > 1 else dx
-    return dx, dy, 2.0 * float(coords["z"][0]) if "z" in coords else 1.0
+    return dx, dy, layer_thickness(coords["z"], dx) if "z" in coords else 1.0
 
 
 def _write_vti(

@@ -288,6 +288,7 @@ class Output(CaseTable):
     region_x: Sequence[Quantity] | None = None
     region_y: Sequence[Quantity] | None = None
     stride: int | None = None
+    stride_z: int | None = None
     precision: Literal["double", "single"] | None = None
     directory: str | Path | None = None
     checkpoint_interval: Quantity | None = None

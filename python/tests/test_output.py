@@ -35,7 +35,9 @@ PARTS: dict[str, dict[str, Any]] = {
     "depth": {"depth": "20 um"},
     "plane": {"region_y": [0, 0]},
     "region": {"region_x": ["-25 um", "25 um"], "region_y": ["-15 um", "1 mm"]},
-    "stride": {"stride": 2},
+    "layer": {"region_z": ["21 um", "21 um"]},
+    "layers": {"region_z": ["8 um", "50 um"], "stride_z": 2},
+    "stride": {"stride": 2, "stride_z": 3},
     "single": {"precision": "single"},
     "all of it": {
         "fields": ["surface", "von_mises_stress"],
@@ -101,7 +103,31 @@ def test_what_is_stored_is_that_of_the_whole_result(
                 np.testing.assert_array_equal(values, ours)
 
 
-@pytest.mark.parametrize("name", ["surface", "one field", "lower", "all of it"])
+def test_a_plane_at_a_depth(tmp_path: Path) -> None:
+    run = run_of(OPEN, tmp_path / "run", **PARTS["layer"])
+    body = run.snapshot("final").lower
+    assert body.z.shape == (1,)
+    assert abs(body.z[0] - 21e-6) <= 0.5 * body.z[0]
+    assert body.equivalent_plastic_strain.shape == (1, len(body.y), len(body.x))
+    figure = brinell.plot.section(run, "final", field="equivalent_plastic_strain", bodies="lower")
+    np.testing.assert_allclose(
+        np.asarray(figure.axes[0].images[0].get_array()), 100.0 * body.equivalent_plastic_strain[0]
+    )
+    volume = run.to_pyvista("final")["lower_volume"]
+    low, high = volume.bounds[-2:]
+    assert low < -body.z[0] < high < 0.0
+
+
+def test_layers_that_are_left_out_stay_at_their_depth(tmp_path: Path) -> None:
+    run = run_of(OPEN, tmp_path / "run", **PARTS["stride"])
+    whole = run_of(OPEN, None)
+    z, all_z = run.snapshot("final").lower.z, whole.snapshot("final").lower.z
+    np.testing.assert_allclose(z, all_z[::3])
+    centres = run.to_pyvista("final")["upper_volume"].cell_centers().points[:, 2]
+    np.testing.assert_allclose(np.unique(np.round(centres, 9)), np.round(z, 9), rtol=1e-5)
+
+
+@pytest.mark.parametrize("name", ["surface", "one field", "lower", "layer", "all of it"])
 def test_figures_and_exports_of_a_part(name: str, tmp_path: Path) -> None:
     run = run_of(OPEN, tmp_path / "run", **PARTS[name])
     assert export_vti(run, tmp_path / "vti")
@@ -132,7 +158,7 @@ def test_what_is_not_stored_is_unknown_and_not_zero(tmp_path: Path) -> None:
 
 def test_sizes(tmp_path: Path) -> None:
     sizes = {}
-    for name in ("surface", "depth", "stride", "single"):
+    for name in ("surface", "depth", "layer", "stride", "single"):
         case = OPEN.case(output={"snapshots": "every 6", **PARTS[name]})
         sizes[name] = case.result_size
         assert "before compression" in case.check()
@@ -140,7 +166,8 @@ def test_sizes(tmp_path: Path) -> None:
     assert sizes["single"] == pytest.approx(0.5 * full)
     assert sizes["surface"] < 0.2 * full
     assert sizes["depth"] < 0.8 * full
-    assert sizes["stride"] == pytest.approx(0.25 * full, rel=0.2)
+    assert sizes["stride"] == pytest.approx(0.25 / 3 * full, rel=0.3)
+    assert sizes["layer"] < 0.3 * full
 
 
 def test_the_size_that_is_foretold_is_that_of_the_datasets(tmp_path: Path) -> None:
@@ -209,7 +236,11 @@ def interrupt(*_: object) -> None:
         ({"depth": "3 N"}, 'output.depth = "3 N" is a force; allowed: length > 0'),
         ({"region_x": ["1 mm"]}, "output.region_x .* is no region; allowed: the first and the last coordinate"),
         ({"region_y": ["1 mm", "-1 mm"]}, "output.region_y .* is no region"),
+        ({"region_z": ["2 um", "1 um"]}, "output.region_z .* is no region"),
+        ({"region_z": ["-1 um", "1 um"]}, "output.region_z .* is out of range; allowed: length >= 0"),
+        ({"region_z": [0, "1 um"], "depth": "1 um"}, "cannot stand together with output"),
         ({"stride": 0}, "output.stride = 0 is out of range"),
+        ({"stride_z": 0}, "output.stride_z = 0 is out of range"),
         ({"precision": "half"}, r'output.precision = "half" is not known; allowed: "double" or "single"'),
     ],
 )
@@ -245,6 +276,7 @@ def test_output_in_python() -> None:
         depth="1 mm",
         region_x=("-1 mm", "1 mm"),
         stride=2,
+        stride_z=3,
         precision="single",
     )
     ball, flat = (
@@ -260,6 +292,7 @@ def test_output_in_python() -> None:
         "depth = 0.001",
         "region_x = [-0.001, 0.001]",
         "stride = 2",
+        "stride_z = 3",
         'precision = "single"',
     ):
         assert line in text

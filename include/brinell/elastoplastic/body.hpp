@@ -163,6 +163,16 @@ public:
   /// @param layers  number of layers from the surface that are computed
   void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
                    int layers = halfspace::HalfSpace::all_layers);
+  /// Stress in one cell [Pa].
+  struct CellStress
+  {
+    Deviator deviator;
+    double trace = 0.0;
+  };
+  /// Stress in some cells, as by `full_stress` up to rounding. Increments between two calls with the same cells keep what the second
+  /// one needs, so that it costs next to nothing.
+  [[nodiscard]] std::vector<CellStress> stress_at(std::span<const std::size_t> cells,
+                                                  const halfspace::SurfaceLoad& load);
   /// Locked-in elastic energy plus dissipation [J], of the present trial for the load of the last update, or of the last
   /// committed increment.
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
@@ -187,6 +197,11 @@ private:
   void recover_guess();
   void store_guess();
   void restrict_to_active_layers();
+  void find_watched_traces(const halfspace::SurfaceLoad& load);
+  [[nodiscard]] bool watches(std::span<const std::size_t> cells);
+  [[nodiscard]] std::vector<CellStress> elastic_stress_at(std::span<const std::size_t> cells,
+                                                          const halfspace::SurfaceLoad& load);
+  [[nodiscard]] CellStress stress_of_state(std::size_t cell) const;
   [[nodiscard]] double softening(std::size_t cell) const { return softening_.empty() ? 1.0 : softening_[cell]; }
   /// Hardening law in a layer without softening.
   template <typename Law>
@@ -266,6 +281,12 @@ private:
   bool may_use_window_ = false;                       ///< no evaluation of this increment has computed all cells
   int shift_ = 0;                                     ///< by which the contact moves in the increment [cells]
   std::array<std::vector<double>, 3> committed_load_; ///< of the state; with a window
+
+  /// Cells that `stress_at` has been asked for, and the trace of their stress in the last evaluation of all cells [Pa], without the
+  /// initial stress.
+  std::vector<std::size_t> watched_;
+  std::vector<double> watched_trace_;
+  bool knows_watched_traces_ = false; ///< whether it is that of the present trial
 };
 
 } // namespace brinell::elastoplastic

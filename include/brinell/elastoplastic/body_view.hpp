@@ -37,6 +37,11 @@ public:
   /// Turns fields of the solved body into those of this side: a deviator field of 5 values per cell, and a scalar one.
   void turn(std::vector<double>& deviators, std::vector<double>& scalars) const;
 
+  /// The cell of the solved body that a cell of this side is.
+  [[nodiscard]] std::size_t solved_cell(std::size_t cell) const;
+  /// A deviator of the solved body in the axes of this side.
+  [[nodiscard]] Deviator turned(const Deviator& of_solved) const;
+
   /// A copy of a surface field, converted from the solved body to this side or back.
   /// @param parity  factor, +1 or -1, of the field's value in the mirror image
   [[nodiscard]] std::vector<double> turned(std::span<const double> surface, double parity) const;

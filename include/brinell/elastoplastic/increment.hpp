@@ -206,9 +206,26 @@ public:
     std::vector<double> trace;    ///< [cell]
   };
   /// @throws InputError if the body is rigid
-  /// @param layers  number of layers from the surface that are computed; the values of others are meaningless
-  [[nodiscard]] Stress lower_stress(const Place& place, int layers = halfspace::HalfSpace::all_layers);
-  [[nodiscard]] Stress upper_stress(const Place& place, int layers = halfspace::HalfSpace::all_layers);
+  [[nodiscard]] Stress lower_stress(const Place& place);
+  [[nodiscard]] Stress upper_stress(const Place& place);
+  /// State of one cell, in the axes of its side.
+  struct CellState
+  {
+    Body::CellStress stress;
+    Deviator plastic_strain;
+    double equivalent = 0.0;                ///< accumulated equivalent plastic strain
+    std::optional<double> temperature = {}; ///< [deg C]; none without heat
+  };
+  /// The states of some cells of a body, as in the fields up to rounding; asked for in each increment, they cost little.
+  /// @throws InputError if the body is rigid
+  [[nodiscard]] std::vector<CellState> lower_cells(const Place& place, std::span<const std::size_t> cells)
+  {
+    return states(0, sides_.front().body, place, cells);
+  }
+  [[nodiscard]] std::vector<CellState> upper_cells(const Place& place, std::span<const std::size_t> cells)
+  {
+    return states(1, sides_.back().body, place, cells);
+  }
   /// Temperature in all cells of a body [deg C]; empty without heat, or if the body is rigid.
   [[nodiscard]] std::vector<double> lower_temperature() const { return temperature(0, lower()); }
   [[nodiscard]] std::vector<double> upper_temperature() const { return temperature(1, upper()); }
@@ -286,7 +303,13 @@ private:
   void spread(const Placement& placement);
   void spread_shear(const Place& place, const SurfaceGrid& body, double sign,
                     std::array<std::vector<double>, 2>& out) const;
-  [[nodiscard]] Stress stress(std::size_t side, Body& solved, const Place& place, int layers) const;
+  [[nodiscard]] Stress stress(std::size_t side, Body& solved, const Place& place) const;
+  struct TurnedLoad;
+  [[nodiscard]] TurnedLoad load_on_solved(std::size_t side, const Place& place) const;
+  [[nodiscard]] std::vector<CellState> states(std::size_t side, Body& solved, const Place& place,
+                                              std::span<const std::size_t> cells) const;
+  void add_heat(std::size_t side, const BodyView& view, std::span<const std::size_t> cells,
+                std::vector<CellState>& states) const;
 
   halfspace::SurfaceCompliance compliance_;
   contact::ElasticContact contact_;

@@ -54,14 +54,18 @@ public:
   /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, only the independent rows
   ///                       (`independent_rows`) of the strain are read and those of the stress are written; the displacement
   ///                       has all rows.
+  /// @param with_trace     whether the `Loaded` can compute the trace of the stress, too
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
-                            Displacements displacements = Displacements::normal,
-                            Symmetry symmetry = Symmetry::none) const;
+                            Displacements displacements = Displacements::normal, Symmetry symmetry = Symmetry::none,
+                            bool with_trace = false) const;
   /// Deviator and trace of the stress [Pa] in the layers [0, layers), for output; other layers are not written.
   /// @param layers  as many as there are, or more: all
   void full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
                    std::span<double> deviator, std::span<double> trace, int layers = all_layers) const;
   static constexpr int all_layers = std::numeric_limits<int>::max();
+  /// Stress [Pa] of a load alone in one layer: the five components of the deviator and then the trace, each [y][x].
+  /// @param work  may be one of `make_guest` that has borrowed nothing
+  void stress_of_load(const SurfaceLoad& load, int layer, Work& work, std::span<double> stress) const;
 
 private:
   struct Operators; ///< transforms and kernels, and the functions that apply them
@@ -94,6 +98,9 @@ public:
   /// Deviatoric stress [Pa] of the load and the strain in the layers that were prepared; other layers are not written.
   /// May be called repeatedly with different loads.
   void stress(const SurfaceLoad& load, std::span<double> deviator) const;
+  /// Trace of the stress [Pa] in one prepared layer, [y][x], for the load of the last call of `stress`.
+  /// @throws InternalError if `load` was not asked for it
+  void trace(const SurfaceLoad& load, int layer, std::span<double> out) const;
 
 private:
   friend class HalfSpace;

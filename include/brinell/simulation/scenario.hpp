@@ -216,6 +216,7 @@ struct BodySnapshot
   VolumeGrid grid;
   bool is_rigid = false;      ///< then it has no fields but worn depth and height
   double x0 = 0.0, y0 = 0.0;  ///< centre of cell (0, 0) in the body's surface coordinates [m]
+  double top = 0.0;           ///< depth of the upper side of layer 0 [m]; not 0 only in a part of the fields
   double contact_x = 0.0;     ///< current position of the contact's centre [m]
   TensorField stress;         ///< due to contact, plastic strain and heat, plus the initial stress [Pa]; empty if rigid
   TensorField plastic_strain; ///< [-]
@@ -256,6 +257,7 @@ struct StepFields
   {
     SymTensor stress, plastic_strain;
     double equivalent_plastic_strain = 0.0;
+    std::optional<double> temperature = {}; ///< [deg C]; none without heat
   };
 
   /// Functions that compute the fields; empty for fields that do not exist, such as those of a rigid body.
@@ -263,7 +265,7 @@ struct StepFields
   {
     std::function<std::vector<double>()> equivalent_plastic_strain, temperature;
     std::function<TensorField()> plastic_strain, stress;
-    /// The state of some cells, which costs less than the fields: only layers down to the deepest cell are computed.
+    /// The state of some cells. If the same ones are asked for after each step, they cost little.
     std::function<std::vector<CellState>(std::span<const std::size_t> cells)> cells;
     bool keeps_stress = true, keeps_von_mises = true; ///< parts of the stress that a result keeps
   };

@@ -47,6 +47,7 @@ UNITS: Mapping[str, str] = {
             "reference",
             "region_x",
             "region_y",
+            "region_z",
         ),
         "m",
     ),

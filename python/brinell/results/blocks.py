@@ -111,15 +111,24 @@ def _spacing(grid: BodyFields | ContactFields) -> tuple[float, float]:
     return float(dx), float(grid.y[1] - grid.y[0] if len(grid.y) > 1 else dx)
 
 
+def layer_thickness(z: FloatArray, dx: float) -> float:
+    """Distance of the layers [m]; a single one, of unknown thickness, is drawn no thicker than its cells are long."""
+    return float(z[1] - z[0]) if len(z) > 1 else min(2.0 * float(z[0]), dx)
+
+
 def _volume(pyvista: Any, body: BodyFields, left: float, arrays: dict[str, FloatArray], *, below: bool) -> Any:
     """Image data with one value per cell, x fastest; layers of the lower body are reversed as its depth points down."""
     dx, dy = _spacing(body)
-    dz = 2.0 * float(body.z[0])
+    dz = layer_thickness(body.z, dx)
     nz, ny, nx = len(body.z), len(body.y), len(body.x)
     image = pyvista.ImageData(
         dimensions=(nx + 1, ny + 1, nz + 1),
         spacing=(dx, dy, dz),
-        origin=(left - 0.5 * dx, body.y[0] - 0.5 * dy, -nz * dz if below else 0.0),
+        origin=(
+            left - 0.5 * dx,
+            body.y[0] - 0.5 * dy,
+            -float(body.z[-1]) - 0.5 * dz if below else float(body.z[0]) - 0.5 * dz,
+        ),
     )
     for name, values in arrays.items():
         image.cell_data[name] = (values[::-1] if below else values).reshape(-1)

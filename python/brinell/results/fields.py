@@ -154,12 +154,13 @@ def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: 
     if data.shape == tuple(len(axis) for axis in grid):
         return data
     spacing, origin = state[body].attrs["spacing"], state[body].attrs["origin"]
-    row, column = (round((origin[i] - axis[0]) / spacing[i]) for i, axis in ((1, grid[-2]), (0, grid[-1])))
+    first = [round((origin[i] - axis[0]) / spacing[i]) for i, axis in enumerate(reversed(grid))][::-1]
     is_none = "plastic_strain" in name or name == "worn_depth"
     whole = np.full([len(axis) for axis in grid], 0.0 if is_none else np.nan)
-    ny, nx = data.shape[-2:]
-    layers = (slice(0, data.shape[0]),) if data.ndim == 3 else ()
-    whole[(*layers, slice(row, row + ny), slice(column, column + nx))] = data[()]
+    part = tuple(slice(start, start + count) for start, count in zip(first, data.shape, strict=True))
+    # A region beyond a grid that had not grown yet is the nearest cell of that one, and not of this one.
+    if all(one.start >= 0 and one.stop <= count for one, count in zip(part, whole.shape, strict=True)):
+        whole[part] = data[()]
     return whole
 
 

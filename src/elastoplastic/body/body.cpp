@@ -133,7 +133,7 @@ void Body::begin(int shift, double stiffness_share)
   if (!is_plastic())
     return;
   prepare_trial();
-  has_own_thermal_stress_ = false;
+  has_own_thermal_stress_ = knows_watched_traces_ = false;
   in_increment_ = true;
   active_.clear();
   layers_ = grid().nz;
@@ -156,7 +156,7 @@ void Body::restore()
   softening_ = state_.softening;
   if (!in_increment_)
     return;
-  in_increment_ = false;
+  in_increment_ = knows_watched_traces_ = false;
   const std::size_t n = grid().size();
   for (std::size_t a = 0; a < active_.size(); ++a)
     with_copies(a, [&](std::size_t cell, const auto& seen)
@@ -275,7 +275,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
 void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
                        int layers)
 {
-  if (work_.empty())
+  if (!is_plastic() || work_.empty())
     work_ = half_space_->make_work();
   half_space_->full_stress(load, state_.plastic_strain, work_, deviator, trace, layers);
   add_initial_stress(grid().nz, grid().surface.ny, deviator);

@@ -57,6 +57,23 @@ void BodyView::turn(std::vector<double>& deviators, std::vector<double>& scalars
   reverse_rows(scalars, grid().surface.nx, 1.0);
 }
 
+std::size_t BodyView::solved_cell(std::size_t cell) const
+{
+  if (!is_mirrored())
+    return cell;
+  const auto nx = static_cast<std::size_t>(grid().surface.nx);
+  return cell - cell % nx + (nx - 1 - cell % nx);
+}
+
+Deviator BodyView::turned(const Deviator& of_solved) const
+{
+  Deviator result = of_solved;
+  for (const int component : {Deviator::xz, Deviator::xy})
+    if (is_mirrored())
+      result[component] = -result[component];
+  return result;
+}
+
 std::vector<double> BodyView::deviators(std::vector<double> BodyState::*fields) const
 {
   std::vector<double> copy = solved_->state().*fields;

@@ -79,7 +79,8 @@ void Body::load_strain()
     knows_displacement_x_ = all;
     return;
   }
-  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, wanted, symmetry_));
+  const bool with_trace = !watched_.empty() && computes_all_layers();
+  loaded_.emplace(half_space_->load(state_.plastic_strain, layers_, work_, wanted, symmetry_, with_trace));
   find_displacements(wanted);
 }
 
@@ -111,6 +112,8 @@ void Body::find_stress(const halfspace::SurfaceLoad& load)
     return;
   }
   loaded_->stress(load, stress_);
+  if (!watched_.empty() && computes_all_layers())
+    find_watched_traces(load);
   const int rows = independent_rows(grid().surface, symmetry_);
   add_initial_stress(layers_, rows, stress_);
   add_thermal_stress(layers_, rows, stress_);

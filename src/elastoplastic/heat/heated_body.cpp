@@ -238,6 +238,27 @@ void BodyHeat::layers(const VolumeGrid& body, const Heating::Layers& out, std::v
   }
 }
 
+void BodyHeat::layer(const VolumeGrid& body, std::size_t layer, const Heating::Layers& out) const
+{
+  if (is_rigid_)
+    return;
+  require_layers(body);
+  if (field_ && field_->holds(body.surface))
+    return field_->in_body({body.surface, 1, body.dz}, {out.temperature, out.deviator, out.trace}, layer);
+  const std::size_t cells = grid_.size();
+  std::vector<double> temperature(cells), deviator(Deviator::size * cells), trace(cells);
+  const halfspace::ThermalLayer found{temperature, deviator, trace};
+  if (steady_)
+    steady_->layer(static_cast<std::size_t>(body.nz), layer, found);
+  else
+    field_->layer(layer, found);
+  const std::size_t size = body.surface.size();
+  fit(grid_, temperature, body.surface, out.temperature);
+  fit(grid_, trace, body.surface, out.trace);
+  for (std::size_t c = 0; c < Deviator::size; ++c)
+    fit(grid_, std::span(deviator).subspan(c * cells, cells), body.surface, out.deviator.subspan(c * size, size));
+}
+
 /// Trapezoidal rule in time, with the pressure of the previous call.
 double BodyHeat::work_against(std::span<const double> pressure)
 {

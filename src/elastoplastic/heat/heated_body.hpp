@@ -62,6 +62,8 @@ public:
   [[nodiscard]] const std::vector<double>& softening() const { return softening_; }
   /// Temperature and thermal stress after the last step, in all layers of a material grid that may have grown.
   void layers(const VolumeGrid& body, const Heating::Layers& out) const;
+  /// Temperature and thermal stress in one layer: `Heating::layer`.
+  void layer(const VolumeGrid& body, std::size_t layer, const Heating::Layers& out) const;
   /// Work of the thermal displacement of the last step against a pressure on the thermal grid [J].
   [[nodiscard]] double work_against(std::span<const double> pressure);
 

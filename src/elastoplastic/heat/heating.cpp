@@ -281,6 +281,13 @@ void Heating::layers(std::size_t side, const VolumeGrid& body, const Layers& out
     s.heat().layers(body, out);
 }
 
+void Heating::layer(std::size_t side, const VolumeGrid& body, std::size_t layer, const Layers& out) const
+{
+  const HeatedSide& s = state_->sides.at(side);
+  if (s.conducts())
+    s.heat().layer(body, layer, out);
+}
+
 void Heating::exchange(Archive& archive)
 {
   State& s = *state_;

@@ -54,9 +54,20 @@ void SteadyHeat::displacement(std::span<double> out) const
 
 void SteadyHeat::layers(std::span<const halfspace::ThermalLayer> out) const
 {
+  layers(out.size(), 0, out);
+}
+
+void SteadyHeat::layer(std::size_t count, std::size_t layer, const halfspace::ThermalLayer& out) const
+{
+  layers(count, layer, {&out, 1});
+}
+
+/// @param count  number of layers for which a field is planned
+void SteadyHeat::layers(std::size_t count, std::size_t first, std::span<const halfspace::ThermalLayer> out) const
+{
   if (!is_cold())
   {
-    field(out.size()).layers(now_.flux, 0, out);
+    field(count).layers(now_.flux, first, out);
     return;
   }
   for (const halfspace::ThermalLayer& layer : out)

@@ -31,6 +31,8 @@ public:
   void displacement(std::span<double> out) const;
   /// Temperature and stress in the layers, for the expected flux during a step and the actual one after it.
   void layers(std::span<const halfspace::ThermalLayer> out) const;
+  /// Temperature and stress in one of `count` layers.
+  void layer(std::size_t count, std::size_t layer, const halfspace::ThermalLayer& out) const;
 
   void exchange(Archive& archive);
 
@@ -41,6 +43,7 @@ private:
     std::vector<double> flux;
   };
   [[nodiscard]] bool is_cold() const;
+  void layers(std::size_t count, std::size_t first, std::span<const halfspace::ThermalLayer> out) const;
   [[nodiscard]] const halfspace::SteadyField& field(std::size_t layers) const;
 
   SurfaceGrid grid_;

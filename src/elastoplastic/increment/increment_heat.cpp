@@ -80,6 +80,27 @@ void CoupledContact::add_thermal_stress(std::size_t side, const BodyView& view, 
     stress.trace[i] += trace[i];
 }
 
+/// Adds the thermal stress in some cells and sets their temperatures, layer by layer.
+void CoupledContact::add_heat(std::size_t side, const BodyView& view, std::span<const std::size_t> cells,
+                              std::vector<CellState>& states) const
+{
+  if (!heating_)
+    return;
+  const std::size_t size = view.grid().surface.size();
+  std::vector<double> temperature(size), deviator(Deviator::size * size), trace(size);
+  std::size_t known = view.grid().size();
+  for (std::size_t n = 0; n < cells.size(); ++n)
+  {
+    const std::size_t cell = view.solved_cell(cells[n]), layer = cell / size, at = cell % size;
+    if (layer != known)
+      heating_->layer(side, view.grid(), layer, {temperature, deviator, trace});
+    known = layer;
+    states[n].stress.deviator = states[n].stress.deviator + view.turned(deviator_at(deviator, size, at));
+    states[n].stress.trace += trace[at];
+    states[n].temperature = view.material().temperature + temperature[at];
+  }
+}
+
 std::vector<double> CoupledContact::temperature(std::size_t side, const BodyView& view) const
 {
   if (!heating_ || view.material().elastic.is_rigid())

@@ -43,37 +43,76 @@ void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) 
     effect->add_depth(1, place, out);
 }
 
-CoupledContact::Stress CoupledContact::lower_stress(const Place& place, int layers)
+CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
 {
-  return stress(0, sides_.front().body, place, layers);
+  return stress(0, sides_.front().body, place);
 }
 
-CoupledContact::Stress CoupledContact::upper_stress(const Place& place, int layers)
+CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
 {
-  return stress(1, sides_.back().body, place, layers);
+  return stress(1, sides_.back().body, place);
 }
 
-/// @param solved  the body itself, or the body of which it is the twin. The stress in a mirror image is the mirrored stress of
-///                the solved body under the mirrored load.
-CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place, int layers) const
+/// A load on a body, in the axes of the solved body.
+struct CoupledContact::TurnedLoad
 {
-  const BodyView view = side == 0 ? lower() : upper();
-  const double shear_sign = side == 0 ? 1.0 : -1.0;
-  if (view.material().elastic.is_rigid())
-    throw InputError("the body is rigid and has no stress; allowed: the stress of a body that deforms");
-  const VolumeGrid& volume = view.grid();
   std::vector<double> pressure;
   std::array<std::vector<double>, 2> shear;
-  spread_traction(grid(), pressure_, place, volume.surface, pressure);
+
+  [[nodiscard]] halfspace::SurfaceLoad all() const
+  {
+    return {.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]};
+  }
+};
+
+/// The stress in a mirror image is the mirrored stress of the solved body under the mirrored load.
+/// @throws InputError if the body is rigid
+CoupledContact::TurnedLoad CoupledContact::load_on_solved(std::size_t side, const Place& place) const
+{
+  const BodyView view = side == 0 ? lower() : upper();
+  if (view.material().elastic.is_rigid())
+    throw InputError("the body is rigid and has no stress; allowed: the stress of a body that deforms");
+  TurnedLoad load;
+  const SurfaceGrid& surface = view.grid().surface;
+  spread_traction(grid(), pressure_, place, surface, load.pressure);
   if (interface_)
-    spread_shear(place, volume.surface, shear_sign, shear);
-  pressure = view.turned(pressure, 1.0);
-  shear = {view.turned(shear[0], -1.0), view.turned(shear[1], 1.0)};
-  Stress result{std::vector<double>(Deviator::size * volume.size()), std::vector<double>(volume.size())};
-  solved.full_stress({.pressure = pressure, .shear_x = shear[0], .shear_y = shear[1]}, result.deviator, result.trace,
-                     layers);
+    spread_shear(place, surface, side == 0 ? 1.0 : -1.0, load.shear);
+  return {view.turned(load.pressure, 1.0), {view.turned(load.shear[0], -1.0), view.turned(load.shear[1], 1.0)}};
+}
+
+/// @param solved  the body itself, or the body of which it is the twin
+CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
+{
+  const BodyView view = side == 0 ? lower() : upper();
+  const TurnedLoad load = load_on_solved(side, place);
+  const std::size_t cells = view.grid().size();
+  Stress result{std::vector<double>(Deviator::size * cells), std::vector<double>(cells)};
+  solved.full_stress(load.all(), result.deviator, result.trace);
   view.turn(result.deviator, result.trace);
   add_thermal_stress(side, view, result);
+  return result;
+}
+
+/// @param solved  as in `stress`
+std::vector<CoupledContact::CellState> CoupledContact::states(std::size_t side, Body& solved, const Place& place,
+                                                              std::span<const std::size_t> cells) const
+{
+  const BodyView view = side == 0 ? lower() : upper();
+  std::vector<std::size_t> of_solved;
+  for (const std::size_t cell : cells)
+    of_solved.push_back(view.solved_cell(cell));
+  if (cells.empty())
+    return {};
+  const std::vector<Body::CellStress> stress = solved.stress_at(of_solved, load_on_solved(side, place).all());
+  const BodyState& state = solved.state();
+  const std::size_t size = view.grid().size();
+  std::vector<CellState> result;
+  for (std::size_t n = 0; n < cells.size(); ++n)
+    result.push_back({{view.turned(stress[n].deviator), stress[n].trace},
+                      view.turned(deviator_at(state.plastic_strain, size, of_solved[n])),
+                      state.equivalent[of_solved[n]],
+                      {}});
+  add_heat(side, view, cells, result);
   return result;
 }
 

@@ -352,12 +352,12 @@ bool ThermalField::holds(const SurfaceGrid& cells) const
          (grid().ny - cells.ny) % 2 == 0;
 }
 
-void ThermalField::in_body(const VolumeGrid& body, const ThermalLayer& out) const
+void ThermalField::in_body(const VolumeGrid& body, const ThermalLayer& out, std::size_t first) const
 {
   const State& state = *state_;
   const SurfaceGrid& cells = body.surface;
   const auto count = static_cast<std::size_t>(body.nz);
-  if (!holds(cells) || count > state.depths.size())
+  if (!holds(cells) || first + count > state.depths.size())
     throw InternalError("ThermalField::in_body: the body is not within the grid and the layers");
   require_part("ThermalField::in_body", "temperature", out.temperature, body.size());
   require_part("ThermalField::in_body", "deviator", out.deviator, Deviator::size * body.size());
@@ -368,7 +368,7 @@ void ThermalField::in_body(const VolumeGrid& body, const ThermalLayer& out) cons
       for (std::size_t at = k * cells.size(); at < part.size(); at += body.size())
         fields.push_back(part.subspan(at, cells.size()));
   if (!fields.empty())
-    state.find_layers(0.0, {0, count}, out, fields,
+    state.find_layers(0.0, {first, count}, out, fields,
                       {(grid().nx - cells.nx) / 2, cells.nx, (grid().ny - cells.ny) / 2, cells.ny});
 }
 

@@ -80,15 +80,19 @@ HalfSpace::Work HalfSpace::make_guest() const
 }
 
 HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work,
-                                  Displacements displacements, Symmetry symmetry) const
+                                  Displacements displacements, Symmetry symmetry, bool with_trace) const
 {
   require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * grid().size());
   if (layers < 0 || layers > grid().nz)
     throw InternalError(fmt::format("HalfSpace::load: {} layers are wanted, the grid has {}", layers, grid().nz));
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
-  work.buffers_->symmetry = symmetry;
-  operators_->load_strain(plastic_strain, layers, displacements, *work.buffers_, nullptr);
+  Work::Buffers& buffers = *work.buffers_;
+  buffers.symmetry = symmetry;
+  if (with_trace)
+    buffers.trace.resize(operators_->trace_fft.block_size() * static_cast<std::size_t>(operators_->trace_fft.blocks()));
+  operators_->load_strain(plastic_strain, layers, displacements, buffers, with_trace ? buffers.trace.data() : nullptr);
+  buffers.has_trace = with_trace;
   return {*operators_, plastic_strain, *work.buffers_};
 }
 
@@ -129,6 +133,38 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
     op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
   else
     op.add_load_and_invert_mirrored(load, plastic_strain_, *buffers_, deviator);
+}
+
+void HalfSpace::Loaded::trace(const SurfaceLoad& load, int layer, std::span<double> out) const
+{
+  const Operators& op = *operators_;
+  require_load("HalfSpace::Loaded::trace", load, op.grid.surface.size());
+  require_size("HalfSpace::Loaded::trace: the trace", out, op.grid.surface.size());
+  require_current("HalfSpace::Loaded::trace");
+  if (!buffers_->has_trace || layer >= buffers_->layers)
+    throw InternalError("HalfSpace::Loaded::trace: the load was not asked for the trace in this layer");
+  op.invert_plane(TractionStress::trace, layer, op.kernels_of(parts_of(load)), op.trace_fft, buffers_->trace.data(),
+                  layer, *buffers_, buffers_->threads.front(), out.data());
+  op.finish(ImageCorrection::trace, layer, plastic_strain_, *buffers_, out.data());
+}
+
+void HalfSpace::stress_of_load(const SurfaceLoad& load, int layer, Work& work, std::span<double> stress) const
+{
+  const Operators& op = *operators_;
+  const std::size_t cells = op.grid.surface.size();
+  require_load("HalfSpace::stress_of_load", load, cells);
+  require_size("HalfSpace::stress_of_load: the stress", stress, (Deviator::size + 1) * cells);
+  if (work.empty())
+    throw InternalError("HalfSpace::stress_of_load: the work is empty; make_guest makes one");
+  Work::Buffers& buffers = *work.buffers_;
+  buffers.symmetry = Symmetry::none;
+  ++buffers.number;
+  op.load_surface(load, buffers);
+  const AlignedVector<ComplexLanes> nothing(op.surface_fft.block_size() *
+                                            static_cast<std::size_t>(op.surface_fft.blocks()));
+  for (int component = 0; component <= TractionStress::trace; ++component)
+    op.invert_plane(component, layer, op.kernels_of(parts_of(load)), op.surface_fft, nothing.data(), 0, buffers,
+                    buffers.threads.front(), stress.data() + static_cast<std::size_t>(component) * cells);
 }
 
 void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,

@@ -102,6 +102,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   const int strained = strained_layers(plastic_strain, work.symmetry);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
+  work.has_trace = false;
   work.displacements = displacements;
   for (std::size_t t = 1; t < tractions.size() && kernels[t] != nullptr; ++t)
   {
@@ -316,10 +317,18 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
   for (int block = 0; block < fft.blocks(); ++block)
   {
     const ComplexLanes* column = spectra + fft.plane_at(block, plane);
-    if (ComplexLanes* sum = scratch.fft.column.data(); is_loaded)
+    ComplexLanes* sum = scratch.fft.column.data();
+    if (is_loaded)
     {
-      TractionStress::add(kernels, block, component, layer, fft.py(), surface_spectra(block, work), column,
-                          next_block(fft, block, column), sum);
+      TractionStress::add(kernels, block, component, layer, spectrum_rows(work.symmetry), surface_spectra(block, work),
+                          column, next_block(fft, block, column), sum);
+      column = sum;
+    }
+    if (work.symmetry != Symmetry::none)
+    {
+      if (!is_loaded)
+        std::copy_n(column, spectrum_rows(work.symmetry), sum);
+      mirrored_fft.complete(component < Deviator::size && is_odd_in_y(component), sum);
       column = sum;
     }
     surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft);

@@ -51,12 +51,14 @@ struct HalfSpace::Work::Buffers
   /// Only for the requested components; the others are empty.
   OfTraction<AlignedVector<ComplexLanes>> displacement_rows; ///< of the strain loaded
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
+  AlignedVector<ComplexLanes> trace; ///< spectra of the trace of the stress, if they have been asked for
   ImageCorrection::Response images;
   std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
   Symmetry symmetry = Symmetry::none;                  ///< of the strain loaded
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
+  bool has_trace = false;                              ///< whether `trace` is that of the strain loaded
 
   /// The buffers that a guest borrows: their size per block does not depend on the number of columns.
   static constexpr auto lent() { return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts}; }
@@ -97,7 +99,7 @@ struct HalfSpace::Operators
   void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
                                     Work::Buffers& work, std::span<double> stress) const;
   /// One component of the stress, or its trace, in one layer: adds the stress of the surface load to the residual stress in the
-  /// spectra of all blocks, and transforms the sum back to the grid.
+  /// spectra of all blocks, and transforms the sum back to the grid. With symmetry the spectra need only the rows of `spectrum_rows`.
   void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
                     const ComplexLanes* spectra, int plane, const Work::Buffers& work, Work::Buffers::Scratch& scratch,
                     double* field) const;

@@ -311,8 +311,9 @@ void read_points(const CaseReader& reader, Case& c, const ScenarioCase& scenario
 /// Checks the part of the cells that is stored.
 void check_stored_cells(const CaseReader& reader, const StoredCells& cells)
 {
-  for (const auto& [key, region] :
-       {std::pair{"output.region_x", &cells.region_x}, {"output.region_y", &cells.region_y}})
+  for (const auto& [key, region] : {std::pair{"output.region_x", &cells.region_x},
+                                    {"output.region_y", &cells.region_y},
+                                    {"output.region_z", &cells.region_z}})
     if (*region && ((*region)->size() != 2 || (*region)->front() > (*region)->back()))
       reader.add(key, "is no region; allowed: the first and the last coordinate, as in [\"-1 mm\", \"1 mm\"]");
 }

@@ -189,9 +189,11 @@ std::vector<Warning> result_warnings(const Case& c, const ScenarioPlan& plan)
                      size_text(bytes_of(c, plan, most)), size_text(bytes), text_of(parts))});
   if (bytes > large)
     warnings.push_back(
-        {"large_result", fmt::format("the result takes about {} before compression; output.snapshots, fields, bodies, "
-                                     "depth, region_x, region_y, stride and precision of the case make it smaller",
-                                     size_text(bytes))});
+        {"large_result",
+         fmt::format("the result takes about {} before compression; output.snapshots, fields, bodies, "
+                     "depth, region_x, region_y, region_z, stride, stride_z and precision of the case make it "
+                     "smaller",
+                     size_text(bytes))});
   return warnings;
 }
 

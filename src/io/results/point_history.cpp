@@ -84,7 +84,6 @@ void fill(std::vector<PointValues>& values, const std::vector<HistoryPoint>& poi
   if (cells.empty())
     return;
   const std::vector<StepFields::CellState> states = within.cells(cells);
-  const std::vector<double> temperature = within.temperature ? within.temperature() : std::vector<double>{};
   const SurfaceGrid& grid = body.grid.surface;
   const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
   for (std::size_t n = 0; n < cells.size(); ++n)
@@ -96,7 +95,7 @@ void fill(std::vector<PointValues>& values, const std::vector<HistoryPoint>& poi
                          states[n].stress,
                          states[n].plastic_strain,
                          states[n].equivalent_plastic_strain,
-                         temperature.empty() ? unknown : temperature[cell]};
+                         states[n].temperature.value_or(unknown)};
   }
 }
 

@@ -144,7 +144,7 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
   h5::Handle group = h5::create_group(parent, name);
   const VolumeGrid& grid = body.grid;
   const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
-  const std::array origin{body.x0, body.y0, 0.5 * grid.dz};
+  const std::array origin{body.x0, body.y0, body.top + 0.5 * grid.dz};
   h5::write_attribute(group, "spacing", spacing);
   h5::write_attribute(group, "origin", origin);
   h5::write_attribute(group, "cells", std::array{grid.surface.nx, grid.surface.ny, grid.nz});

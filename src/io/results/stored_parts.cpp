@@ -70,28 +70,29 @@ Taken taken_along(int cells, double first, double size, const std::optional<std:
 }
 
 /// The cells of a box of a field, [z][y][x].
-std::vector<double> part_of(const std::vector<double>& field, const SurfaceGrid& grid, int layers, const Taken& x,
+std::vector<double> part_of(const std::vector<double>& field, const SurfaceGrid& grid, const Taken& z, const Taken& x,
                             const Taken& y)
 {
   std::vector<double> part;
   if (field.empty())
     return part;
-  part.reserve(static_cast<std::size_t>(layers) * y.count * x.count);
-  for (int k = 0; k < layers; ++k)
+  part.reserve(static_cast<std::size_t>(z.count) * y.count * x.count);
+  for (int k = 0; k < z.count; ++k)
     for (int j = 0; j < y.count; ++j)
     {
-      const std::size_t row =
-          (static_cast<std::size_t>(k) * grid.ny + static_cast<std::size_t>(y.first + j * y.stride)) * grid.nx;
+      const std::size_t layer = static_cast<std::size_t>(z.first + k * z.stride);
+      const std::size_t row = (layer * grid.ny + static_cast<std::size_t>(y.first + j * y.stride)) * grid.nx;
       for (int i = 0; i < x.count; ++i)
         part.push_back(field[row + static_cast<std::size_t>(x.first + i * x.stride)]);
     }
   return part;
 }
 
+constexpr Taken one_layer{0, 1, 1}; ///< of a field on a surface
+
 struct TakenOfBody
 {
-  Taken x, y;
-  int layers = 0;
+  Taken x, y, z;
 };
 
 TakenOfBody taken_of(const VolumeGrid& grid, double x0, double y0, const StoredCells& cells)
@@ -101,7 +102,8 @@ TakenOfBody taken_of(const VolumeGrid& grid, double x0, double y0, const StoredC
   const int layers =
       cells.depth ? static_cast<int>(std::ceil(std::min(*cells.depth / grid.dz - rounding, 1.0 * grid.nz))) : grid.nz;
   return {taken_along(surface.nx, x0, surface.dx, cells.region_x, cells.stride),
-          taken_along(surface.ny, y0, surface.dy, cells.region_y, cells.stride), std::max(1, layers)};
+          taken_along(surface.ny, y0, surface.dy, cells.region_y, cells.stride),
+          taken_along(std::max(1, layers), 0.5 * grid.dz, grid.dz, cells.region_z, cells.stride_z)};
 }
 
 VolumeGrid grid_of(const VolumeGrid& grid, const TakenOfBody& taken)
@@ -111,7 +113,8 @@ VolumeGrid grid_of(const VolumeGrid& grid, const TakenOfBody& taken)
   part.surface.ny = taken.y.count;
   part.surface.dx *= taken.x.stride;
   part.surface.dy *= taken.y.stride;
-  part.nz = taken.layers;
+  part.nz = taken.z.count;
+  part.dz *= taken.z.stride;
   return part;
 }
 
@@ -119,25 +122,26 @@ void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cell
 {
   const VolumeGrid grid = body.grid;
   const TakenOfBody taken = taken_of(grid, body.x0, body.y0, cells);
-  const auto cut_field = [=](const std::vector<double>& field, int layers)
-  { return part_of(field, grid.surface, layers, taken.x, taken.y); };
+  const auto cut_field = [=](const std::vector<double>& field, const Taken& z)
+  { return part_of(field, grid.surface, z, taken.x, taken.y); };
   for (std::vector<double>* field : {&body.residual_displacement, &body.worn_depth, &body.height})
-    *field = cut_field(*field, 1);
+    *field = cut_field(*field, one_layer);
   for (auto* field : {&within.equivalent_plastic_strain, &within.temperature})
     if (*field)
-      *field = [=, whole = *field] { return cut_field(whole(), taken.layers); };
+      *field = [=, whole = *field] { return cut_field(whole(), taken.z); };
   for (auto* tensor : {&within.plastic_strain, &within.stress})
     if (*tensor)
       *tensor = [=, whole = *tensor]
       {
         TensorField field = whole();
         for (std::vector<double>& component : field)
-          component = cut_field(component, taken.layers);
+          component = cut_field(component, taken.z);
         return field;
       };
   body.grid = grid_of(grid, taken);
   body.x0 += taken.x.first * grid.surface.dx;
   body.y0 += taken.y.first * grid.surface.dy;
+  body.top += (taken.z.first + 0.5) * grid.dz - 0.5 * body.grid.dz;
 }
 
 /// Takes every n-th cell of the contact, those that are taken on the lower body, too.
@@ -146,7 +150,7 @@ void cut(Snapshot& contact, const StoredCells& cells)
   const SurfaceGrid grid = contact.contact;
   const Taken x = taken_along(grid.nx, contact.x0 + contact.lower.contact_x, grid.dx, std::nullopt, cells.stride),
               y = taken_along(grid.ny, contact.y0, grid.dy, std::nullopt, cells.stride);
-  const auto cut_fields = [&](auto&... fields) { ((fields = part_of(fields, grid, 1, x, y)), ...); };
+  const auto cut_fields = [&](auto&... fields) { ((fields = part_of(fields, grid, one_layer, x, y)), ...); };
   cut_fields(contact.pressure, contact.gap, contact.shear[0], contact.shear[1], contact.slip[0], contact.slip[1],
              contact.slip_path, contact.friction_heat, contact.temperature[0], contact.temperature[1],
              contact.heat_flux[0], contact.heat_flux[1]);
@@ -217,7 +221,8 @@ bool asks_for_fields_within(const OutputChoice& choice)
                                [](const std::string& word) { return word == "all" || is_within(word); });
   const auto is_plane = [](const std::optional<std::vector<double>>& region)
   { return region && region->front() == region->back(); };
-  return choice.cells.depth || is_plane(choice.cells.region_x) || is_plane(choice.cells.region_y);
+  return choice.cells.depth || choice.cells.region_z || is_plane(choice.cells.region_x) ||
+         is_plane(choice.cells.region_y);
 }
 
 StepFields chosen_fields(const StepFields& fields, const std::vector<std::string>& words, const StoredParts& parts)

@@ -2,6 +2,7 @@
 #include "vtkhdf.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -36,21 +37,27 @@ h5::Box whole(const Counts& shape)
   return {Counts(shape.size(), 0), shape};
 }
 
-/// Number of rows and columns of the grid of `all` before the first row and column of the grid of `state`, which lies within it.
-std::array<hsize_t, 2> offset(const BodyLayout& all, const BodyLayout& state)
+/// Number of layers, rows and columns of the grid of `all` before those of the grid of `state`.
+std::array<long, 3> offset(const BodyLayout& all, const BodyLayout& state)
 {
   const SurfaceGrid& s = all.grid.surface;
-  return {static_cast<hsize_t>(std::lround((state.y0 - all.y0) / s.dy)),
-          static_cast<hsize_t>(std::lround((state.x0 - all.x0) / s.dx))};
+  return {std::lround((state.top - all.top) / all.grid.dz), std::lround((state.y0 - all.y0) / s.dy),
+          std::lround((state.x0 - all.x0) / s.dx)};
 }
 
-/// The box that the cells of a state occupy in the grid of `all`: a plane, or a volume; layer 0 is at the surface in both grids.
-h5::Box place_of(const Counts& shape, const BodyLayout& all, const BodyLayout& state)
+/// The box that the cells of a state occupy in the grid of `all`: a plane, or a volume. None if they lie beside it: of a region
+/// beyond a grid that had not grown yet, the nearest cells were stored.
+std::optional<h5::Box> place_of(const Counts& shape, const BodyLayout& all, const BodyLayout& state)
 {
   h5::Box box = whole(shape);
-  const auto [row, column] = offset(all, state);
-  box.start[shape.size() - 2] = row;
-  box.start[shape.size() - 1] = column;
+  const std::array<long, 3> first = offset(all, state);
+  const std::array counts_of_all{all.grid.nz, all.grid.surface.ny, all.grid.surface.nx};
+  for (std::size_t axis = 3 - shape.size(), i = 0; axis < 3; ++axis, ++i)
+  {
+    if (first[axis] < 0 || first[axis] + static_cast<long>(shape[i]) > counts_of_all[axis])
+      return std::nullopt;
+    box.start[i] = static_cast<hsize_t>(first[axis]);
+  }
   return box;
 }
 
@@ -128,8 +135,10 @@ public:
       if (!is_there(layout.*body))
         return std::vector<h5::VirtualPart>{};
       const Counts shape = shape_of(layout.*body);
-      std::vector<h5::VirtualPart> parts(
-          count, {place_of(shape, all, layout.*body), "", fmt::format("{}/{}", body_, name), shape, whole(shape)});
+      const std::optional<h5::Box> place = place_of(shape, all, layout.*body);
+      if (!place)
+        return std::vector<h5::VirtualPart>{};
+      std::vector<h5::VirtualPart> parts(count, {*place, "", fmt::format("{}/{}", body_, name), shape, whole(shape)});
       for (hsize_t c = 0; count > 1 && c < count; ++c)
       {
         parts[c].dataset += fmt::format("/{}", vtk_components[c]);
@@ -183,8 +192,8 @@ private:
 void write_volume(Block block, Body which, const BodyLayout& body, double up)
 {
   const SurfaceGrid& s = body.grid.surface;
-  block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, 0.0}, {s.dx, s.dy, body.grid.dz},
-              up);
+  block.place({s.nx, s.ny, body.grid.nz}, {body.x0 - 0.5 * s.dx, body.y0 - 0.5 * s.dy, up * body.top},
+              {s.dx, s.dy, body.grid.dz}, up);
   block.begin("CellData");
   const auto add = [&](const char* name, Block::Kind kind, bool BodyLayout::*is_there, double beyond)
   {
@@ -204,10 +213,13 @@ std::vector<h5::VirtualPart> contact_parts(const char* name, const StateLayout& 
 {
   const ContactLayout& c = layout.contact;
   const SurfaceGrid& lower = layout.lower.grid.surface;
-  const auto [row_of_lower, column_of_lower] = offset(all, layout.lower);
+  const auto place = place_of(counts(lower), all, layout.lower);
+  if (!place)
+    return {};
+  const hsize_t row_of_lower = place->start[0], column_of_lower = place->start[1];
   const Counts shape{static_cast<hsize_t>(c.ny), static_cast<hsize_t>(c.nx)};
   std::vector<h5::VirtualPart> parts;
-  const auto add = [&, row_of_lower = row_of_lower, column_of_lower = column_of_lower](int column)
+  const auto add = [&](int column)
   {
     const int first_row = std::max(c.row, 0), last_row = std::min(c.row + c.ny, lower.ny);
     const int first_column = std::max(column, 0), last_column = std::min(column + c.nx, lower.nx);
@@ -261,6 +273,7 @@ BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::Ste
   return {.grid = body.grid,
           .x0 = body.x0,
           .y0 = body.y0,
+          .top = body.top,
           .surface = FieldsThere(body),
           .has_equivalent = static_cast<bool>(within.equivalent_plastic_strain),
           .has_plastic_strain = static_cast<bool>(within.plastic_strain),
@@ -281,6 +294,7 @@ void BodyLayout::exchange(Archive& archive)
   archive("dz", grid.dz);
   archive("x0", x0);
   archive("y0", y0);
+  archive("top", top);
   archive("surface", surface);
   archive("has_equivalent", has_equivalent);
   archive("has_plastic_strain", has_plastic_strain);

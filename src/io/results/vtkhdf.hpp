@@ -19,6 +19,7 @@ struct BodyLayout
 {
   VolumeGrid grid;
   double x0 = 0.0, y0 = 0.0; ///< centre of cell (0, 0) [m]
+  double top = 0.0;          ///< depth of the upper side of layer 0 [m]
   FieldsThere<simulation::BodySnapshot> surface;
   bool has_equivalent = false, has_plastic_strain = false, has_stress = false, has_von_mises = false,
        has_temperature = false;

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "onset.hpp"
 #include "rolling_plan.hpp"
 #include "run_state.hpp"
 #include "simulation/plan/friction.hpp"
@@ -165,13 +166,13 @@ private:
   /// Takes over the forces under which the contact begins to roll, when friction has been raised at rest.
   void read_onset(Stepper& stepper)
   {
+    const Onset now = onset(stepper.pair(), previous_.F_n, previous_.approach);
+    work_at_rest_ = now.work;
     const Stepper::Depths& depths = stepper.loaded_depths(centre(previous_.x));
-    const double load = stepper.pair().load(), approach = stepper.pair().approach();
-    work_at_rest_ = 0.5 * (load + previous_.F_n) * (approach - previous_.approach);
-    const double shear = (1.0 - share_) * stepper.pair().sliding()->force();
     const double resistance =
         rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
-    previous_ = {previous_.x, approach, load, resistance + shear, shear, previous_.along};
+    const double shear = (1.0 - share_) * now.shear;
+    previous_ = {previous_.x, now.approach, now.load, resistance + shear, shear, previous_.along};
   }
   /// Fills the tangential forces and, with partial slip, work, heat and stick of the creepage.
   void read_shear(const Stepper& stepper, RollingRecord& r)

@@ -5,6 +5,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
 #include "foundation/nan.hpp"
+#include "onset.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 #include <utility>
 
 namespace brinell::simulation
@@ -147,10 +147,10 @@ private:
   /// Takes over the forces under which the upper body begins to slide, when friction has been raised at rest.
   void read_onset(Stepper& stepper)
   {
-    const double load = stepper.pair().load(), approach = stepper.pair().approach();
-    work_at_rest_ = 0.5 * (load + previous_.F_n) * (approach - previous_.approach);
-    const double shear = stepper.pair().sliding()->force();
-    previous_ = {previous_.slid, approach, load, ploughing(stepper, centre(previous_.slid)) + shear, shear};
+    const Onset now = onset(stepper.pair(), previous_.F_n, previous_.approach);
+    work_at_rest_ = now.work;
+    previous_ = {previous_.slid, now.approach, now.load, ploughing(stepper, centre(previous_.slid)) + now.shear,
+                 now.shear};
   }
 
   /// Time since the start after a number of steps [s]; 0 without a speed.
@@ -243,78 +243,6 @@ private:
   int done_ = 0;              ///< number of finished steps
 };
 
-// docs/verification/accuracy.md (expected error)
-constexpr Documented ploughing{"friction by ploughing",
-                               "strokes[*].friction_ploughing",
-                               0.14,
-                               4.2,
-                               1.9,
-                               Documented::Of::contact,
-                               0.3,
-                               false,
-                               0.0,
-                               2.2};
-constexpr Documented work_of_strokes{"plastic work",
-                                     "strokes[*].dissipation_plastic_J",
-                                     0.06,
-                                     8.0,
-                                     1.0,
-                                     Documented::Of::plastic_zone,
-                                     1.0,
-                                     false,
-                                     0.0,
-                                     1.5};
-/// Of point contacts.
-constexpr Documented of_slid_points[] = {{"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.05, 8.0,
-                                          1.0, Documented::Of::contact, 0.1, false, 0.0, 1.5},
-                                         {"contact area", "strokes[*].contact_area_m2", 0.016, 8.0, 1.0,
-                                          Documented::Of::elastic_contact, 0.02, false, 0.0, 2.5},
-                                         {"largest pressure", "strokes[*].max_pressure_Pa", 0.01, 8.0, 1.0,
-                                          Documented::Of::elastic_contact, 0.02, false, 0.0, 2.5}};
-
-/// Whether the friction by ploughing is so small a difference of large forces that its relative error says nothing.
-bool hardly_ploughs(const std::vector<SlidingStroke>& strokes)
-{
-  constexpr double least = 1e-3;
-  return std::all_of(strokes.begin(), strokes.end(),
-                     [](const SlidingStroke& s) { return std::abs(s.friction_ploughing) < least; });
-}
-
-/// Whether so little yields in the strokes after pressing, as where only the upper body is plastic, that a relative error of their
-/// plastic work says nothing.
-bool hardly_yields(const SlidingSummary& summary)
-{
-  constexpr double least = 0.02; // over the plastic work of the whole run
-  const double all = summary.dissipation_lower + summary.dissipation_upper;
-  return std::all_of(summary.strokes.begin(), summary.strokes.end(),
-                     [&](const SlidingStroke& s) { return s.dissipation_plastic < least * all; });
-}
-
-/// @param summary  of a finished run; none before
-std::vector<Documented> documented_of_strokes(bool is_plane, const SlidingSummary* summary)
-{
-  std::vector<Documented> errors;
-  if (!summary || !hardly_ploughs(summary->strokes))
-    errors.push_back(ploughing);
-  if (!summary || !hardly_yields(*summary))
-    errors.push_back(work_of_strokes);
-  if (!is_plane)
-    errors.insert(errors.end(), std::begin(of_slid_points), std::end(of_slid_points));
-  return errors;
-}
-
-Facts facts(const SlidingCase& c, const SlidingPlan& plan, const SlidingSummary* summary = nullptr)
-{
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
-  f.documented = documented_of_strokes(f.is_plane, summary);
-  f.moves = true;
-  if (c.shift)
-    f.shift = plan.shift;
-  if (c.speed)
-    f.heating_time = 2.0 * f.half_x / *c.speed;
-  return f;
-}
-
 } // namespace
 
 void SlidingRecord::exchange(Archive& archive)
@@ -325,21 +253,6 @@ void SlidingRecord::exchange(Archive& archive)
 void SlidingStroke::exchange(Archive& archive)
 {
   exchange_columns(*this, archive);
-}
-
-Quality expected_quality(const SlidingCase& sliding, const SlidingPlan& plan)
-{
-  return quality_before(facts(sliding, plan));
-}
-
-Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const RunTotals& totals)
-{
-  return quality_after(facts(sliding, plan), totals);
-}
-
-Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const SlidingSummary& summary)
-{
-  return quality_after(facts(sliding, plan, &summary), summary);
 }
 
 template <>

@@ -41,10 +41,20 @@ inline constexpr double temperature_error_of_sticking = 0.12;
 /// Facts about a run of any scenario that the rules need.
 struct Facts
 {
-  Documented temperature_rise{
-      "temperature rise", "", 0.015, 8.0, 1.0, Documented::Of::elastic_contact, 0.2}; ///< without sticking
-  Documented worn_depth{"worn depth", "wear.max_depth_*_m", 0.015, 8.0, 1.0, Documented::Of::elastic_contact,
-                        0.3}; ///< without sticking
+  Documented temperature_rise{.quantity = "temperature rise",
+                              .name = "",
+                              .error = 0.015,
+                              .cells = 8.0,
+                              .order = 1.0,
+                              .of = Documented::Of::elastic_contact,
+                              .of_steps = 0.2}; ///< without sticking
+  Documented worn_depth{.quantity = "worn depth",
+                        .name = "wear.max_depth_*_m",
+                        .error = 0.015,
+                        .cells = 8.0,
+                        .order = 1.0,
+                        .of = Documented::Of::elastic_contact,
+                        .of_steps = 0.3}; ///< without sticking
   std::vector<Documented> documented;
   bool forgets_if_elastic =
       false; ///< without plastic strain a step does not depend on earlier ones: there is no friction

@@ -32,22 +32,12 @@ TensorField six_fields(const std::vector<double>& deviators, const std::vector<d
   return fields;
 }
 
-/// Stress and strain of some cells.
-std::vector<StepFields::CellState> states_of(const elastoplastic::BodyView& body, std::span<const std::size_t> cells,
-                                             const std::function<elastoplastic::CoupledContact::Stress(int)>& stress_in)
+std::vector<StepFields::CellState> whole_tensors(const std::vector<elastoplastic::CoupledContact::CellState>& cells)
 {
-  using elastoplastic::BodyState;
-  const std::size_t size = body.grid().size();
-  std::size_t deepest = 0;
-  for (const std::size_t cell : cells)
-    deepest = std::max(deepest, cell / body.grid().surface.size());
-  const auto stress = stress_in(static_cast<int>(deepest) + 1);
-  const std::vector<double> strain = body.deviators(&BodyState::plastic_strain),
-                            equivalent = body.scalars(&BodyState::equivalent);
   std::vector<StepFields::CellState> states;
-  for (const std::size_t cell : cells)
-    states.push_back({to_tensor(deviator_at(stress.deviator, size, cell), stress.trace[cell]),
-                      to_tensor(deviator_at(strain, size, cell), 0.0), equivalent[cell]});
+  for (const auto& [stress, plastic_strain, equivalent, temperature] : cells)
+    states.push_back(
+        {to_tensor(stress.deviator, stress.trace), to_tensor(plastic_strain, 0.0), equivalent, temperature});
   return states;
 }
 
@@ -67,8 +57,8 @@ BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin
 }
 
 StepFields::Within fields_within(const elastoplastic::BodyView& body,
-                                 const std::function<elastoplastic::CoupledContact::Stress(int)>& stress,
-                                 std::function<std::vector<double>()> temperature)
+                                 const std::function<elastoplastic::CoupledContact::Stress()>& stress,
+                                 std::function<std::vector<double>()> temperature, StatesOfCells states)
 {
   using elastoplastic::BodyState;
   if (body.material().elastic.is_rigid())
@@ -80,10 +70,11 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
           .stress =
               [stress]
           {
-            const elastoplastic::CoupledContact::Stress found = stress(halfspace::HalfSpace::all_layers);
+            const elastoplastic::CoupledContact::Stress found = stress();
             return six_fields(found.deviator, found.trace);
           },
-          .cells = [body, stress](std::span<const std::size_t> cells) { return states_of(body, cells, stress); }};
+          .cells = [states = std::move(states)](std::span<const std::size_t> cells)
+          { return whole_tensors(states(cells)); }};
 }
 
 Snapshot StepFields::whole() const

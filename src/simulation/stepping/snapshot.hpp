@@ -14,10 +14,13 @@ namespace brinell::simulation
 /// @param origin  surface coordinate of column 0 of its grid [m].
 [[nodiscard]] BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin, double contact_x);
 /// The fields within a body, computed on demand.
-/// @param stress, temperature  functions that compute these fields, the stress in the first layers; `temperature` is empty without heat
+/// @param stress, temperature  functions that compute these fields; `temperature` is empty without heat
+/// @param states               function that returns the states of some cells
+using StatesOfCells =
+    std::function<std::vector<elastoplastic::CoupledContact::CellState>(std::span<const std::size_t> cells)>;
 [[nodiscard]] StepFields::Within fields_within(const elastoplastic::BodyView& body,
-                                               const std::function<elastoplastic::CoupledContact::Stress(int)>& stress,
-                                               std::function<std::vector<double>()> temperature);
+                                               const std::function<elastoplastic::CoupledContact::Stress()>& stress,
+                                               std::function<std::vector<double>()> temperature, StatesOfCells states);
 /// Fills shear and slip of the contact.
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// Fills temperatures and heat fluxes, if there is heat.

@@ -167,12 +167,14 @@ StepFields Stepper::fields(const Centre& centre) const
     lower_temperature = [this] { return pair_->lower_temperature(); };
     upper_temperature = [this] { return pair_->upper_temperature(); };
   }
+  const auto& [lower_place, upper_place] = frame.placement;
+  using Cells = std::span<const std::size_t>;
   fields.lower = fields_within(
-      pair_->lower(), [this, place = frame.placement.lower](int layers) { return pair_->lower_stress(place, layers); },
-      lower_temperature);
+      pair_->lower(), [this, place = lower_place] { return pair_->lower_stress(place); }, lower_temperature,
+      [this, place = lower_place](Cells cells) { return pair_->lower_cells(place, cells); });
   fields.upper = fields_within(
-      pair_->upper(), [this, place = frame.placement.upper](int layers) { return pair_->upper_stress(place, layers); },
-      upper_temperature);
+      pair_->upper(), [this, place = upper_place] { return pair_->upper_stress(place); }, upper_temperature,
+      [this, place = upper_place](Cells cells) { return pair_->upper_cells(place, cells); });
   return fields;
 }
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "grid_fields.hpp"
 #include "periodic_grids.hpp"
 #include "random_field.hpp"
+#include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 /// An evaluation that is told of the symmetry in y against one that is not: docs/theory/half-space.md (symmetry).
@@ -61,6 +65,7 @@ Field without_other_rows(const VolumeGrid& grid, Field field, double value)
 struct Answer
 {
   Field stress, z, x, y;
+  Field trace{}; ///< in all prepared layers
 };
 
 Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoad& load, int layers, Symmetry symmetry)
@@ -71,14 +76,19 @@ Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoa
   Answer result{Field(Deviator::size * grid.size()), Field(cells), Field(cells), Field(cells)};
   for (int turn = 0; turn < 2; ++turn) // the second time the buffers are not new
   {
-    const HalfSpace::Loaded loaded = half_space.load(strain, layers, work, Displacements::all, symmetry);
+    const HalfSpace::Loaded loaded = half_space.load(strain, layers, work, Displacements::all, symmetry, true);
     loaded.displacement({.z = result.z, .x = result.x, .y = result.y});
     loaded.stress(load, result.stress);
+    result.trace.resize(grid.size());
+    for (int layer = 0; layer < layers; ++layer)
+      loaded.trace(load, layer, std::span(result.trace).subspan(grid.index(0, 0, layer), cells));
   }
   if (symmetry != Symmetry::none)
   {
     result.stress = without_other_rows(grid, result.stress, 0.0);
     complete_in_y(grid, result.stress);
+    result.trace = without_other_rows(grid, result.trace, 0.0);
+    complete_in_y(grid.surface, 1.0, result.trace.data(), result.trace.size());
   }
   return result;
 }
@@ -121,7 +131,49 @@ TEST_P(MirroredHalfSpaceTest, AnswersAsWithoutSymmetry)
       EXPECT_LE(largest_difference(full.z, half.z), rounding * largest(full.z));
       EXPECT_LE(largest_difference(full.x, half.x), rounding * largest(full.x));
       EXPECT_LE(largest_difference(full.y, half.y), rounding * largest(full.y));
+      EXPECT_LE(largest_difference(full.trace, half.trace), rounding * std::max(largest(full.stress), 1.0));
     }
+}
+
+/// Layer by layer, against the stress of the whole body.
+TEST_P(MirroredHalfSpaceTest, OneLayerIsThatOfTheWholeStress)
+{
+  const VolumeGrid& grid = GetParam();
+  const HalfSpace half_space(grid, elastic);
+  const std::size_t cells = grid.surface.size();
+  const Field pressure = test::random_field(cells, 4), shear = test::random_field(cells, 5);
+  const Field strain = test::random_field(Deviator::size * grid.size(), 6);
+  const SurfaceLoad load{.pressure = pressure, .shear_x = shear};
+  const test::StressField whole = test::StressField::of(half_space, load, strain);
+  EXPECT_EQ(answer(half_space, strain, load, grid.nz, Symmetry::none).trace, whole.trace);
+  const test::StressField of_load = test::StressField::of(half_space, load);
+  HalfSpace::Work work = half_space.make_guest();
+  Field layer((Deviator::size + 1) * cells);
+  half_space.stress_of_load(load, grid.nz - 1, work, layer);
+  const std::size_t first = grid.index(0, 0, grid.nz - 1);
+  const double rounding = 1e-13 * largest(of_load.deviator); // the images of no strain are subtracted there
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      ASSERT_NEAR(layer[c * cells + cell], of_load.deviator[c * grid.size() + first + cell], rounding);
+    ASSERT_NEAR(layer[Deviator::size * cells + cell], of_load.trace[first + cell], rounding);
+  }
+}
+
+TEST(HalfSpaceOneLayer, IsRefusedWhereItWasNotAskedFor)
+{
+  const VolumeGrid grid{{9, 6, 0.7, 0.9}, 3, 0.4};
+  const HalfSpace half_space(grid, elastic);
+  HalfSpace::Work work = half_space.make_work();
+  const Field strain(Deviator::size * grid.size());
+  Field stress(strain.size()), trace(grid.surface.size());
+  const HalfSpace::Loaded without = half_space.load(strain, 3, work);
+  without.stress({}, stress);
+  EXPECT_THROW(without.trace({}, 0, trace), InternalError);
+  const HalfSpace::Loaded loaded = half_space.load(strain, 2, work, Displacements::normal, Symmetry::none, true);
+  loaded.stress({}, stress);
+  loaded.trace({}, 1, trace);
+  EXPECT_THROW(loaded.trace({}, 2, trace), InternalError);
 }
 
 TEST(MirroredHalfSpace, AsymmetricStrainIsNotTakenForItsHalf)

@@ -77,6 +77,23 @@ TEST(StoredParts, CellsAreCutOut)
   EXPECT_EQ(chosen.surfaces.pressure.size(), 20u) << "the contact stays whole";
 }
 
+TEST(StoredParts, LayersAreCutOutAndLeftOut)
+{
+  StoredParts plane;
+  plane.cells = {.region_x = {{0.0, 0.0}}, .region_y = {{-3.0, -3.0}}, .region_z = {{0.7, 0.7}}};
+  const simulation::StepFields one = chosen_fields(counted(), {"all"}, plane);
+  EXPECT_EQ(one.surfaces.lower.grid, (VolumeGrid{{1, 1, 1.0, 2.0}, 1, 0.5}));
+  EXPECT_EQ(one.surfaces.lower.top, 0.5) << "the second layer, whose centre is at 0.75";
+  EXPECT_EQ(one.lower.equivalent_plastic_strain(), (std::vector<double>{28 + 3}));
+  EXPECT_EQ(one.surfaces.lower.residual_displacement, (std::vector<double>{3})) << "the surface has no depth";
+  StoredParts every_second;
+  every_second.cells = {.region_x = {{0.0, 0.0}}, .region_y = {{-3.0, -3.0}}, .stride_z = 2};
+  const simulation::StepFields two = chosen_fields(counted(), {"all"}, every_second);
+  EXPECT_EQ(two.surfaces.upper.grid, (VolumeGrid{{1, 1, 1.0, 2.0}, 2, 1.0}));
+  EXPECT_EQ(two.surfaces.upper.top + 0.5 * two.surfaces.upper.grid.dz, 0.25) << "centre of the first layer";
+  EXPECT_EQ(two.upper.stress()[3], (std::vector<double>{3, 56 + 3}));
+}
+
 TEST(StoredParts, AStrideTakesTheSamePlacesOfContactAndBody)
 {
   StoredParts parts;
