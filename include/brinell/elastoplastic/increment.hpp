@@ -259,6 +259,7 @@ private:
   [[nodiscard]] Interface::Change follow(const Placement& placement);
   void begin_wear();
   [[nodiscard]] double follow_wear();
+  [[nodiscard]] std::vector<double> wear_of_onset(const PartialSlip& partial) const;
   void begin_heating(const Placement& placement, const Strategy& strategy);
   void settle_heating(const Strategy& strategy);
   [[nodiscard]] double follow_heat(Heating::Sharing sharing);

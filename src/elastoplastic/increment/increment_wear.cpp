@@ -18,6 +18,22 @@ void CoupledContact::begin_wear()
     static_cast<void>(follow_wear());
 }
 
+/// Intensity of wear under which the points of surfaces that may stick begin to slip [Pa].
+std::vector<double> CoupledContact::wear_of_onset(const PartialSlip& partial) const
+{
+  const WearLaw& law = wear_->law();
+  if (law.kind == WearLaw::Kind::energy)
+    return partial.shear_of_onset();
+  std::vector<double> onset = partial.pressure_of_onset(pressure_);
+  if (law.kind != WearLaw::Kind::archard)
+  {
+    const std::vector<double> shear = partial.shear_of_onset();
+    for (std::size_t i = 0; i < onset.size(); ++i)
+      onset[i] = onset[i] > 0.0 ? law.intensity(onset[i], shear[i]) : 0.0;
+  }
+  return onset;
+}
+
 /// Computes the wear by the slip of the trial.
 /// @returns the largest change of the gap by wear [m]
 double CoupledContact::follow_wear()
@@ -30,10 +46,7 @@ double CoupledContact::follow_wear()
     for (const std::span<const double>& part : interface_->shears())
       for (std::size_t i = 0; i < part.size(); ++i)
         shear[i] = std::hypot(shear[i], part[i]);
-  std::vector<double> onset;
-  if (partial != nullptr)
-    onset =
-        wear_->law().kind == WearLaw::Kind::archard ? partial->pressure_of_onset(pressure_) : partial->shear_of_onset();
+  const std::vector<double> onset = partial != nullptr ? wear_of_onset(*partial) : std::vector<double>{};
   return wear_->follow({.pressure = pressure_, .length = length, .shear = shear, .onset = onset});
 }
 
