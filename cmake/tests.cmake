@@ -80,7 +80,7 @@ add_test(NAME unit.long COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools
 set_tests_properties(unit.long PROPERTIES LABELS unit)
 
 # Programs whose output is on a page of the developers.
-foreach(page own_wear_law)
+foreach(page one_indentation own_wear_law)
   add_executable(brinell_tour_${page} tests/tour/${page}.cpp)
   target_link_libraries(brinell_tour_${page} PRIVATE brinell brinell_flags)
   add_test(NAME unit.tour.${page} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_tour.py
