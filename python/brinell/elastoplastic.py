@@ -121,7 +121,7 @@ class BodyState:
 
     @property
     def stress(self) -> Array:
-        """(6, nz, ny, nx) stress of the pressure and the plastic strain, plus the initial stress of the material [Pa].
+        """(6, nz, ny, nx) stress of pressure, shear and plastic strain, plus the initial stress of the material [Pa].
 
         Raises:
             InputError: the body is rigid.
@@ -388,7 +388,7 @@ class CoupledContact:
 
     @property
     def elastic_energy(self) -> float:
-        """Elastic energy 1/2 p A p that is recovered on unloading [J]."""
+        """Elastic energy of pressure and shear that is recovered on unloading [J]."""
         return self._engine.elastic_energy
 
     @property
