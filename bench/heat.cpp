@@ -43,9 +43,9 @@ public:
       field_.remaining_temperature(motion_.duration, surface_);
       field_.displacement({surface_, {}, {}}, motion_.duration);
     }
-    field_.take_up(flux_, motion_, before_);
+    field_.add_step(flux_, motion_, before_);
     field_.layers(0, out_);
-    field_.amend(flux_, motion_);
+    field_.add_to_last_step(flux_, motion_);
     field_.displacement({surface_, {}, {}});
   }
 

@@ -79,6 +79,15 @@ add_test(NAME unit.long COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools
   ${CMAKE_CTEST_COMMAND} ${PROJECT_BINARY_DIR})
 set_tests_properties(unit.long PROPERTIES LABELS unit)
 
+# Programs whose output is on a page of the developers.
+foreach(page one_indentation own_wear_law)
+  add_executable(brinell_tour_${page} tests/tour/${page}.cpp)
+  target_link_libraries(brinell_tour_${page} PRIVATE brinell brinell_flags)
+  add_test(NAME unit.tour.${page} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_tour.py
+    $<TARGET_FILE:brinell_tour_${page}>)
+  set_tests_properties(unit.tour.${page} PROPERTIES LABELS unit TIMEOUT 300 ENVIRONMENT OMP_NUM_THREADS=1)
+endforeach()
+
 # The library as somebody else finds it once it is installed.
 if(NOT PROJECT_IS_TOP_LEVEL)
   return() # not installed, see CMakeLists.txt
@@ -90,5 +99,8 @@ else()
   add_test(NAME package.consumer COMMAND ${PROJECT_SOURCE_DIR}/tests/consumer/check.sh
     ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} $<CONFIG> ${CMAKE_CXX_COMPILER} ${CMAKE_GENERATOR})
 endif()
+add_test(NAME package.wear_law COMMAND ${PROJECT_SOURCE_DIR}/tests/tour/wear_law.sh ${PROJECT_SOURCE_DIR}
+  ${CMAKE_CXX_COMPILER} $<TARGET_PROPERTY:GTest::gtest,INTERFACE_INCLUDE_DIRECTORIES>)
+set_tests_properties(package.wear_law PROPERTIES LABELS package COST 20 TIMEOUT 600)
 set_tests_properties(package.consumer PROPERTIES
   LABELS package COST 60 TIMEOUT 600 PROCESSORS 2 SKIP_RETURN_CODE 77 ENVIRONMENT OMP_NUM_THREADS=1)

@@ -50,7 +50,7 @@ def unlisted(measured: list[tuple[str, float]], text: str) -> list[str]:
     return [
         name
         for name, seconds in measured
-        if seconds >= LONG and "::" not in name and name not in listed | {"package.consumer"}
+        if seconds >= LONG and "::" not in name and name not in listed | {"package.consumer", "package.wear_law"}
     ]
 
 

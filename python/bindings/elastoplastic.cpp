@@ -7,9 +7,15 @@
 #include "brinell/elastoplastic/increment.hpp"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
 
+#include <array>
 #include <atomic>
+#include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 using namespace nanobind::literals;
 
@@ -26,6 +32,7 @@ using elastoplastic::CoupledContact;
 using elastoplastic::IncrementReport;
 using elastoplastic::Place;
 using elastoplastic::Twin;
+using elastoplastic::WearLaw;
 
 std::vector<double> texture(const std::optional<Input>& given, const VolumeGrid& grid, const char* name)
 {
@@ -33,6 +40,35 @@ std::vector<double> texture(const std::optional<Input>& given, const VolumeGrid&
     return {};
   const auto heights = values(*given, shape(grid.surface), name);
   return {heights.begin(), heights.end()};
+}
+
+/// A wear law, and the function of Python that it calls; nullptr: a law of the list.
+struct PythonWear
+{
+  WearLaw law;
+  std::shared_ptr<nb::object> function{};
+};
+
+/// Wear law by a function of Python. The function is called, and let go, with the interpreter's lock.
+PythonWear user_wear(double lower, double upper, nb::callable function)
+{
+  const std::shared_ptr<nb::object> held(new nb::object(std::move(function)),
+                                         [](nb::object* last)
+                                         {
+                                           const nb::gil_scoped_acquire lock;
+                                           delete last;
+                                         });
+  const auto intensity = [held](double pressure, double shear)
+  {
+    const nb::gil_scoped_acquire lock;
+    const nb::object answer = (*held)(pressure, shear);
+    const double value = PyFloat_AsDouble(answer.ptr());
+    if (PyErr_Occurred() != nullptr)
+      nb::raise_python_error();
+    return value;
+  };
+  return {{.lower = lower, .upper = upper, .kind = WearLaw::Kind::user, .function = elastoplastic::UserWear(intensity)},
+          held};
 }
 
 void require_same_cells(const SurfaceGrid& contact, const SurfaceGrid& body, const char* name)
@@ -50,8 +86,10 @@ class Pair
 public:
   Pair(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper, const Material& lower_material,
        const Material& upper_material, const elastoplastic::Scales& scales, const elastoplastic::Settings& settings,
-       Twin twin, elastoplastic::Textures textures)
-      : contact_(contact, lower, upper, lower_material, upper_material, scales, settings, twin, std::move(textures))
+       Twin twin, elastoplastic::Textures textures, double friction, const PythonWear& wear)
+      : contact_(contact, lower, upper, lower_material, upper_material, scales, settings, twin, std::move(textures),
+                 0.0, {.friction = {.coefficient = friction}, .wear = wear.law}),
+        wear_function_(wear.function)
   {
   }
 
@@ -72,17 +110,21 @@ public:
     std::atomic<bool>& busy_;
   };
 
+  /// @param slid  distance that the upper surface slides along x [m]; its sign is the direction
   IncrementReport advance(const Input& distance, const contact::Drive& drive, const elastoplastic::Placement& placement,
-                          elastoplastic::Strategy strategy)
+                          elastoplastic::Strategy strategy, double slid)
   {
     const Use use(busy_);
     const auto d = values(distance, shape(contact_.grid()), "distance");
     PythonCalls python;
     strategy.wants_stop = [&] { return python.wants_stop(); };
+    strategy.slides = slid != 0.0;
+    strategy.slid = std::abs(slid);
+    const contact::TangentialDrive along{{contact::TangentialDrive::Kind::shift, slid}, {}};
     IncrementReport report;
     try
     {
-      report = without_lock([&] { return contact_.advance(d, drive, placement, strategy); });
+      report = without_lock([&] { return contact_.advance(d, drive, placement, strategy, along); });
     }
     catch (const Interrupted&) // by what Python raised
     {
@@ -131,8 +173,13 @@ public:
                  tensor_shape((upper ? contact_.upper() : contact_.lower()).grid()));
   }
 
+  /// The function of a wear law, for the collector of garbage, because the function may hold this contact; nullptr: none.
+  [[nodiscard]] PyObject* wear_function() const { return wear_function_ ? wear_function_->ptr() : nullptr; }
+  void forget_wear_function() { wear_function_->reset(); }
+
 private:
   CoupledContact contact_;
+  std::shared_ptr<nb::object> wear_function_;
   elastoplastic::Placement placement_;
   std::atomic<bool> busy_ = false;
 };
@@ -171,7 +218,7 @@ Output backstress(const BodyView& body)
 void construct(Pair* self, const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                const Material& lower_material, const Material& upper_material, const elastoplastic::Scales& scales,
                const elastoplastic::Settings& settings, Twin twin, const std::optional<Input>& lower_texture,
-               const std::optional<Input>& upper_texture)
+               const std::optional<Input>& upper_texture, double friction, const PythonWear& wear)
 {
   require_same_cells(contact, lower.surface, "lower");
   require_same_cells(contact, upper.surface, "upper");
@@ -179,13 +226,19 @@ void construct(Pair* self, const SurfaceGrid& contact, const VolumeGrid& lower, 
     throw InputError("both bodies are rigid; at least one must deform");
   if (twin != Twin::none && !(lower == upper && lower_material == upper_material))
     throw InputError("twin: the bodies differ in grid or material; only bodies that are alike can be twins");
+  if (twin == Twin::alike && friction > 0.0)
+    throw InputError(
+        "friction: the shear acts on the bodies in opposite directions, so they are not alike; allowed: 0, or "
+        "another twin");
+  if (twin != Twin::none && !wear.law.is_alike())
+    throw InputError("wear: twins wear alike; allowed: equal coefficients");
   elastoplastic::Textures textures{texture(lower_texture, lower, "lower_texture"),
                                    texture(upper_texture, upper, "upper_texture")};
   without_lock(
       [&]
       {
-        return new (self)
-            Pair(contact, lower, upper, lower_material, upper_material, scales, settings, twin, std::move(textures));
+        return new (self) Pair(contact, lower, upper, lower_material, upper_material, scales, settings, twin,
+                               std::move(textures), friction, wear);
       });
 }
 
@@ -223,6 +276,21 @@ void bind_values(nb::module_& m)
                                                .contact_tolerance = contact_tolerance};
           },
           "yield_tolerance"_a, "displacement_tolerance"_a, "contact_tolerance"_a);
+  nb::class_<PythonWear>(m, "WearLaw")
+      .def(
+          "__init__",
+          [](PythonWear* self, double lower, double upper, const std::string& law)
+          {
+            new (self) PythonWear{{.lower = lower,
+                                   .upper = upper,
+                                   .kind = law == "energy" ? WearLaw::Kind::energy : WearLaw::Kind::archard}};
+          },
+          "lower"_a, "upper"_a, "law"_a)
+      .def(
+          "__init__",
+          [](PythonWear* self, double lower, double upper, nb::callable law)
+          { new (self) PythonWear(user_wear(lower, upper, std::move(law))); },
+          "lower"_a, "upper"_a, "law"_a);
   nb::class_<IncrementReport>(m, "IncrementReport")
       .def_ro("converged", &IncrementReport::converged)
       .def_ro("contact_converged", &IncrementReport::contact_converged)
@@ -243,6 +311,19 @@ void bind_contact_state(nb::class_<Pair>& pair)
           [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.pressure(), shape(c.grid())); }); }, owned)
       .def_prop_ro(
           "gap", [](Pair& p) { return p.read([](const auto& c) { return copy_of(c.gap(), shape(c.grid())); }); }, owned)
+      .def_prop_ro(
+          "shear",
+          [](Pair& p)
+          {
+            return p.read(
+                [](const auto& c)
+                {
+                  const auto* sliding = c.sliding();
+                  return sliding != nullptr ? copy_of(sliding->shear(), shape(c.grid()))
+                                            : array(std::vector<double>(c.grid().size()), shape(c.grid()));
+                });
+          },
+          owned)
       .def_prop_ro("approach", [](Pair& p) { return p.read([](const auto& c) { return c.approach(); }); })
       .def_prop_ro("load", [](Pair& p) { return p.read([](const auto& c) { return c.load(); }); })
       .def_prop_ro("elastic_energy", [](Pair& p) { return p.read([](const auto& c) { return c.elastic_energy(); }); })
@@ -281,6 +362,27 @@ void bind_body_state(nb::class_<Pair>& pair)
           },
           "upper"_a)
       .def(
+          "worn_depth",
+          [](Pair& p, bool upper)
+          {
+            return p.read(
+                [upper](const CoupledContact& c)
+                {
+                  const SurfaceGrid& surface = (upper ? c.upper() : c.lower()).grid().surface;
+                  return c.wear() != nullptr ? copy_of(c.wear()->depth(upper ? 1 : 0), shape(surface))
+                                             : array(std::vector<double>(surface.size()), shape(surface));
+                });
+          },
+          "upper"_a)
+      .def(
+          "worn_volume",
+          [](Pair& p, bool upper)
+          {
+            return p.read([upper](const CoupledContact& c)
+                          { return c.wear() != nullptr ? c.wear()->volume(upper ? 1 : 0) : 0.0; });
+          },
+          "upper"_a)
+      .def(
           "backstress", [](Pair& p, bool upper) { return p.read(upper, backstress); }, "upper"_a)
       .def("stress", &Pair::stress, "upper"_a)
       .def(
@@ -295,27 +397,47 @@ void bind_body_state(nb::class_<Pair>& pair)
           "upper"_a);
 }
 
+int traverse(PyObject* self, visitproc visit, void* arg)
+{
+  Py_VISIT(Py_TYPE(self));
+  if (nb::inst_ready(self))
+    Py_VISIT(nb::inst_ptr<Pair>(self)->wear_function());
+  return 0;
+}
+
+int clear(PyObject* self)
+{
+  if (nb::inst_ptr<Pair>(self)->wear_function() != nullptr)
+    nb::inst_ptr<Pair>(self)->forget_wear_function();
+  return 0;
+}
+
 } // namespace
 
 void bind_elastoplastic(nb::module_& m)
 {
   bind_values(m);
-  nb::class_<Pair> pair(m, "CoupledContact");
+  PyType_Slot collected[] = {
+      {Py_tp_traverse, reinterpret_cast<void*>(traverse)}, {Py_tp_clear, reinterpret_cast<void*>(clear)}, {0, nullptr}};
+  nb::class_<Pair> pair(m, "CoupledContact", nb::type_slots(collected));
   pair.def("__init__", &construct, "contact"_a, "lower"_a, "upper"_a, "lower_material"_a, "upper_material"_a,
-           "scales"_a, "settings"_a, "twin"_a, "lower_texture"_a.none(), "upper_texture"_a.none())
+           "scales"_a, "settings"_a, "twin"_a, "lower_texture"_a.none(), "upper_texture"_a.none(), "friction"_a,
+           "wear"_a)
       .def(
           "advance",
           [](Pair& p, const Input& distance, const contact::Drive& drive, const Place& lower, const Place& upper,
-             elastoplastic::Integration integration, int max_evaluations, int anderson_depth, double stiffness_share)
+             elastoplastic::Integration integration, int max_evaluations, int anderson_depth, double stiffness_share,
+             double slid)
           {
             return p.advance(distance, drive, {lower, upper},
                              {.integration = integration,
                               .max_evaluations = max_evaluations,
                               .anderson_depth = anderson_depth,
-                              .stiffness_share = stiffness_share});
+                              .stiffness_share = stiffness_share},
+                             slid);
           },
           "distance"_a, "drive"_a, "lower"_a, "upper"_a, "integration"_a, "max_evaluations"_a, "anderson_depth"_a,
-          "stiffness_share"_a);
+          "stiffness_share"_a, "slid"_a);
   pair.def("set_softening", &Pair::set_softening, "lower"_a.none(), "upper"_a.none());
   bind_contact_state(pair);
   bind_body_state(pair);

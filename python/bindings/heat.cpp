@@ -47,10 +47,10 @@ Output remaining(const SurfaceTemperature& memory, double duration)
   return array(std::move(rise), shape(memory.grid()));
 }
 
-void take_up(SurfaceTemperature& memory, const Input& flux, const HeatMotion& motion)
+void add_step(SurfaceTemperature& memory, const Input& flux, const HeatMotion& motion)
 {
   const auto q = values(flux, shape(memory.grid()), "flux");
-  without_lock([&] { memory.take_up(q, motion); });
+  without_lock([&] { memory.add_step(q, motion); });
 }
 
 template <typename Field>
@@ -182,7 +182,7 @@ void bind_heat(nb::module_& m)
           "grid"_a, "thermal"_a, "shortest_step"_a, "duration"_a)
       .def_prop_ro("time", &SurfaceTemperature::time)
       .def("remaining", &remaining, "duration"_a)
-      .def("take_up", &take_up, "flux"_a, "motion"_a);
+      .def("add_step", &add_step, "flux"_a, "motion"_a);
   nb::class_<ThermalField>(m, "ThermalField")
       .def(
           "__init__",
@@ -198,11 +198,11 @@ void bind_heat(nb::module_& m)
           "grid"_a, "thermal"_a, "material"_a, "shortest_step"_a, "duration"_a, "depths"_a)
       .def_prop_ro("time", &ThermalField::time)
       .def(
-          "take_up",
+          "add_step",
           [](ThermalField& field, const Input& flux, const HeatMotion& motion)
           {
             const auto q = values(flux, shape(field.grid()), "flux");
-            without_lock([&] { field.take_up(q, motion); });
+            without_lock([&] { field.add_step(q, motion); });
           },
           "flux"_a, "motion"_a)
       .def("displacement", &thermal_displacement, "axis"_a, "later"_a)

@@ -16,7 +16,9 @@ increment does not change it.
 
 from __future__ import annotations
 
+import math
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -32,9 +34,13 @@ from brinell.errors import ConvergenceError, InputError
 from brinell.halfspace import SurfaceGrid, VolumeGrid, require_memory
 from brinell.materials import Material
 
-__all__ = ["BodyState", "CoupledContact", "IncrementReport", "Place", "Twin"]
+__all__ = ["BodyState", "CoupledContact", "IncrementReport", "Place", "Twin", "WearLaw"]
 
 Twin: TypeAlias = Literal["none", "mirror_image", "alike"]
+
+WearLaw: TypeAlias = Literal["archard", "energy"] | Callable[[float, float], float]
+"""A wear law: a word, or the intensity of wear [Pa] as a function of pressure and shear [Pa], >= 0 and finite. Where it
+falls with the pressure, large increments may not converge."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +121,7 @@ class BodyState:
 
     @property
     def stress(self) -> Array:
-        """(6, nz, ny, nx) stress of the pressure and the plastic strain, plus the initial stress of the material [Pa].
+        """(6, nz, ny, nx) stress of pressure, shear and plastic strain, plus the initial stress of the material [Pa].
 
         Raises:
             InputError: the body is rigid.
@@ -128,6 +134,16 @@ class BodyState:
         return self._contact.residual_displacement(self._upper)
 
     @property
+    def worn_depth(self) -> Array:
+        """(ny, nx) depth that the surface has lost by wear since the start [m]."""
+        return self._contact.worn_depth(self._upper)
+
+    @property
+    def worn_volume(self) -> float:
+        """Volume that the body has lost by wear since the start [m^3]."""
+        return self._contact.worn_volume(self._upper)
+
+    @property
     def dissipation(self) -> float:
         """Plastic work since the start [J]; with back stresses, a part of it is stored in the material."""
         return self._contact.dissipation(self._upper)
@@ -136,6 +152,22 @@ class BodyState:
     def locked_in_energy(self) -> float:
         """Elastic energy of the residual stress [J]."""
         return self._contact.locked_in_energy(self._upper)
+
+
+def _wear_law(friction: float, wear: tuple[float, float], law: WearLaw) -> _core.WearLaw:
+    """The wear of both surfaces.
+
+    Raises:
+        InputError: a number is below 0 or not finite, or a law is unknown, or has nothing to follow.
+    """
+    for name, number in (("friction", friction), ("wear[0]", wear[0]), ("wear[1]", wear[1])):
+        if not (number >= 0 and math.isfinite(number)):
+            raise InputError(f"{name} = {number}; allowed: >= 0")
+    if not callable(law) and law not in ("archard", "energy"):
+        raise InputError(f'wear_law = {law!r}; allowed: "archard", "energy" or a function of pressure and shear')
+    if law == "energy" and friction == 0 and any(wear):
+        raise InputError('wear_law = "energy" with friction = 0: no friction work, no wear; allowed: friction > 0')
+    return _core.WearLaw(*wear, law)
 
 
 class CoupledContact:
@@ -162,6 +194,9 @@ class CoupledContact:
         twin: Twin = "none",
         lower_texture: ArrayLike | None = None,
         upper_texture: ArrayLike | None = None,
+        friction: float = 0.0,
+        wear: tuple[float, float] = (0.0, 0.0),
+        wear_law: WearLaw = "archard",
     ):
         """Sets up the operators of both bodies, which start without plastic strain.
 
@@ -184,10 +219,17 @@ class CoupledContact:
             lower_texture: (ny, nx) on the grid of the lower body, depth of its surface before the first load [m]; None:
                 smooth.
             upper_texture: the same for the upper body.
+            friction: shear over pressure where the surfaces slide, >= 0 [-].
+            wear: wear coefficients of the lower and the upper surface, >= 0 [1/Pa]. A surface loses the depth
+                coefficient x intensity x sliding distance.
+            wear_law: the intensity of the wear: "archard", the pressure; "energy", the shear; or a function of both,
+                ``intensity(pressure, shear)``, in Pa, which is called cell by cell where the pressure is above 0. See
+                `brinell.elastoplastic.WearLaw`.
 
         Raises:
-            InputError: grids, materials, textures and `twin` are not compatible, a tolerance is not above 0, or a body
-                needs more memory than the machine has.
+            InputError: grids, materials, textures, wear and `twin` are not compatible, a tolerance is not above 0, a
+                coefficient is below 0, a wear law gives a number below 0, or a body needs more memory than the machine
+                has.
         """
         if twin not in ("none", "mirror_image", "alike"):
             raise InputError(f'twin = "{twin}"; allowed: "none", "mirror_image" or "alike"')
@@ -197,6 +239,7 @@ class CoupledContact:
             displacement_tolerance=displacement_tolerance,
             contact_tolerance=contact_tolerance,
         )
+        law = _wear_law(friction, wear, wear_law)
         for grid, material in ((lower, lower_material), (upper, upper_material)):
             if material.hardening is not None:
                 require_memory(grid.nz * grid.surface.nx * grid.surface.ny, _BYTES_OF_BODY, "a body")
@@ -213,6 +256,8 @@ class CoupledContact:
             getattr(_core.Twin, twin),
             None if lower_texture is None else contiguous(lower_texture, "lower_texture"),
             None if upper_texture is None else contiguous(upper_texture, "upper_texture"),
+            friction,
+            law,
         )
         self.lower = BodyState(self._engine, False, lower, lower_material)
         self.upper = BodyState(self._engine, True, upper, upper_material)
@@ -244,6 +289,7 @@ class CoupledContact:
         load: float | None = None,
         approach: float | None = None,
         mean_gap: float | None = None,
+        slid: float = 0.0,
         lower: Place = Place(),
         upper: Place = Place(),
         integration: Integration = "path",
@@ -259,6 +305,8 @@ class CoupledContact:
             load: normal load at the end of the increment, >= 0 [N].
             approach: approach at the end of the increment, instead of the load [m].
             mean_gap: mean gap over the period, instead of the load, with two periodic axes; >= 0 [m].
+            slid: distance that the undeformed upper surface slides over the lower one along x in the increment [m];
+                negative: towards -x. 0: the surfaces do not slide, so that there is neither shear nor wear.
             lower: position of the contact grid on the grid of the lower body.
             upper: position of the contact grid on the grid of the upper body.
             integration: of the plastic strain: "path", second order in the increment, or "backward_euler", first order.
@@ -267,8 +315,8 @@ class CoupledContact:
 
         Raises:
             ConvergenceError: two attempts did not converge; a smaller increment may help.
-            InputError: a wrong shape, a negative load or mean gap, not exactly one of load, approach and mean gap, or
-                a contact that leaves a grid.
+            InputError: a wrong shape, a negative load or mean gap, not exactly one of load, approach and mean gap, a
+                wear law that gives a number below 0, or a contact that leaves a grid.
         """
         if integration not in ("path", "backward_euler"):
             raise InputError(f'integration = "{integration}"; allowed: "path" or "backward_euler"')
@@ -276,6 +324,8 @@ class CoupledContact:
             raise InputError(
                 f"max_evaluations = {max_evaluations}, anderson_depth = {anderson_depth}; allowed: from 1 and from 0 on"
             )
+        if not math.isfinite(slid):
+            raise InputError(f"slid = {slid}; allowed: a finite distance")
         distance = contiguous(distance, "distance")
         drive = drive_of(load, approach, mean_gap)
         evaluations = 0
@@ -291,6 +341,7 @@ class CoupledContact:
                 max_evaluations,
                 anderson_depth,
                 stiffness_share,
+                slid,
             )
             evaluations += report.evaluations
             if report.converged:
@@ -316,6 +367,11 @@ class CoupledContact:
         return self._engine.pressure
 
     @property
+    def shear(self) -> Array:
+        """(ny, nx) shear along x on the lower body, on the contact grid [Pa]; 0 without friction or sliding."""
+        return self._engine.shear
+
+    @property
     def gap(self) -> Array:
         """(ny, nx) gap between the deformed surfaces on the contact grid [m]."""
         return self._engine.gap
@@ -332,7 +388,7 @@ class CoupledContact:
 
     @property
     def elastic_energy(self) -> float:
-        """Elastic energy 1/2 p A p that is recovered on unloading [J]."""
+        """Elastic energy of pressure and shear that is recovered on unloading [J]."""
         return self._engine.elastic_energy
 
     @property

@@ -145,7 +145,7 @@ class SurfaceTemperature:
         if self._response is None or self._response[0] != motion:
             self._response = motion, HeatResponse(self.grid, self._thermal, duration=duration, velocity=velocity)
         rise += self._response[1].temperature(heat)
-        self._engine.take_up(heat, _motion(duration, velocity))
+        self._engine.add_step(heat, _motion(duration, velocity))
         return rise
 
 
@@ -214,7 +214,7 @@ class ThermalField:
         Raises:
             InputError: the step is shorter than `shortest_step`, or ends after `duration`.
         """
-        self._engine.take_up(contiguous(flux, "flux"), _motion(duration, velocity))
+        self._engine.add_step(contiguous(flux, "flux"), _motion(duration, velocity))
 
     def displacement(self, axis: str = "z", *, later: float = 0.0) -> Array:
         """Thermal displacement of the surface.

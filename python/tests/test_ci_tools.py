@@ -166,3 +166,16 @@ bool b; ///< The Same [m]
         (9, "What"),
         (11, "The Same"),
     ]
+
+
+def test_a_page_that_shows_another_output_is_found() -> None:
+    import check_tour
+
+    shown = "step 1: 2.70 GPa, 1.1e-03\ncommit\n"
+    assert check_tour.differences(shown, shown) == []
+    assert check_tour.differences(shown, shown.replace("2.70", "2.71")) == [], "rounded differently"
+    assert check_tour.differences(shown, shown.replace("1.1e-03", "1.0e-03")) == []
+    for other in ("2.72", "-2.70", "2.70e+01"):
+        assert len(check_tour.differences(shown, shown.replace("2.70", other))) == 1
+    assert len(check_tour.differences(shown, shown.replace("commit", "restore"))) == 1
+    assert check_tour.differences(shown, shown + "more\n") == ["2 lines are shown, 3 are printed"]

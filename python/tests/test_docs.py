@@ -131,7 +131,11 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
 
 
 @pytest.mark.parametrize(
-    "page", ["boundaries", "creepage", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces", "sliding"]
+    "page",
+    [
+        *("boundaries", "creepage", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces", "sliding"),
+        "../developer/wear-laws",
+    ],
 )
 @pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
 def test_the_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -44,7 +44,7 @@ TEST(ThermalField, DiscThatIsHeatedForLong)
     for (double& value : flux)
       value *= q;
     for (int step = 0; step < 10; ++step)
-      field.take_up(flux, {duration / 10.0});
+      field.add_step(flux, {duration / 10.0});
     const Field u = displacement_of(field);
     const double middle = u[g.index(n / 2, n / 2)], unit = body.expansion * (1.0 + nu) * q / body.conductivity;
     double error = 0.0;
@@ -82,9 +82,9 @@ TEST(ThermalField, SpotThatMoves)
   for (int n = 1; n <= steps; ++n)
   {
     const double x = end + velocity * duration * (n - steps);
-    field.take_up(test::sampled(g, [&](int i, int j)
-                                { return std::exp(-(std::pow(g.x(i) - x, 2) + g.y(j) * g.y(j)) / (w * w)); }),
-                  {duration, velocity});
+    field.add_step(test::sampled(g, [&](int i, int j)
+                                 { return std::exp(-(std::pow(g.x(i) - x, 2) + g.y(j) * g.y(j)) / (w * w)); }),
+                   {duration, velocity});
   }
   const Field u = displacement_of(field);
   double error = 0.0;

@@ -237,7 +237,7 @@ TEST(StickSlipHeat, StuckSurfacesHoldBackThermalExpansion)
       flux[in_wide(i, j)] = s.heat_flux[0][s.contact.index(i, j)];
   const double duration = run.step_count() / (c.steps_per_cycle * *c.frequency);
   halfspace::ThermalField field(wide, steel, c.lower.material.elastic, {duration, duration});
-  field.take_up(flux, {duration});
+  field.add_step(flux, {duration});
   field.displacement({{}, by_heat_x, by_heat_y});
   const halfspace::TractionCompliance pair(s.contact, c.lower.material.elastic, c.upper.material.elastic, 0.0);
   std::vector<double> by_shear_x(s.contact.size()), by_shear_y(s.contact.size());

@@ -155,7 +155,7 @@ TEST(ThermoelasticDisc, Transient)
       const SurfaceGrid g = three_radii(cells);
       halfspace::ThermalField field(g, body, elastic, {duration / 5.0, duration}, {0.0, 0.5});
       for (int step = 0; step < 5; ++step)
-        field.take_up(heated_disc(g), {duration / 5.0});
+        field.add_step(heated_disc(g), {duration / 5.0});
       const std::string name = fmt::format("sqrt(kappa t) = {} radii, {} cells: ", spread, cells);
       test::expect_within(name + "largest zz, xz and yz of the surface / (E alpha q a/K)",
                           largest_traction(layer_of(field, 0).stress), 0.0, 1e-13,

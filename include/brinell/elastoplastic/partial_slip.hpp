@@ -101,7 +101,7 @@ private:
     void exchange(Archive& archive);
   };
 
-  void carry_along(const Bodies& bodies);
+  void advect(const Bodies& bodies);
   [[nodiscard]] double imposed(std::size_t axis, int column, int row) const;
   [[nodiscard]] double driven_motion() const;
   [[nodiscard]] double tolerance_of_slip() const;

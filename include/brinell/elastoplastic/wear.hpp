@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,16 +14,57 @@
 namespace brinell::elastoplastic
 {
 
-/// Wear law, with a coefficient for each surface.
+/// A wear law of a user: the intensity w(p, q) of the wear of a cell as a function of its pressure and shear.
+/// Functions cannot be compared: only copies of this object are equal to it.
+class UserWear
+{
+public:
+  using Intensity = std::function<double(double pressure, double shear)>;
+
+  UserWear() = default; ///< no law
+  /// @param intensity  w [Pa], >= 0 and finite for pressures > 0. Where it falls with the pressure, large increments may not
+  ///                   converge.
+  /// @throws InputError if w is not >= 0 and finite at one of the sampled pressures, from 1 Pa to 100 GPa
+  explicit UserWear(Intensity intensity);
+
+  /// @param pressure  [Pa], > 0
+  /// @param shear     magnitude [Pa]
+  /// @throws InputError if w is not >= 0 and finite
+  [[nodiscard]] double intensity_at(double pressure, double shear) const;
+  bool operator==(const UserWear&) const = default;
+
+private:
+  std::shared_ptr<const Intensity> intensity_;
+};
+
+/// Wear law, with a coefficient for each surface: worn depth = coefficient x intensity x length slipped.
 struct WearLaw
 {
+  /// The intensity of wear.
   enum class Kind
   {
-    archard, ///< worn depth = coefficient x pressure x length slipped
-    energy   ///< worn depth = coefficient x shear x length slipped, the friction work per area
+    archard, ///< pressure
+    energy,  ///< shear: the worn depth is the coefficient times the friction work per area
+    user     ///< function of both: `function`; not in case files
   };
   double lower = 0.0, upper = 0.0; ///< coefficients [1/Pa], >= 0
   Kind kind = Kind::archard;
+  UserWear function{}; ///< of Kind::user
+
+  /// Intensity under a pressure > 0 and a shear, its magnitude [Pa].
+  [[nodiscard]] double intensity(double pressure, double shear) const
+  {
+    switch (kind)
+    {
+    case Kind::archard:
+      return pressure;
+    case Kind::energy:
+      return shear;
+    case Kind::user:
+      break;
+    }
+    return function.intensity_at(pressure, shear);
+  }
 
   [[nodiscard]] double sum() const { return lower + upper; }
   [[nodiscard]] bool wears() const { return sum() > 0.0; }

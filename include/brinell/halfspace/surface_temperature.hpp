@@ -37,7 +37,7 @@ public:
   /// @param flux  into the body, at its position at the end of the step [W/m^2] per cell; earlier in the step the same flux was
   ///              further back along its motion
   /// @throws InputError if the step is shorter than the shortest or exceeds the duration of all steps
-  void take_up(std::span<const double> flux, const HeatMotion& motion);
+  void add_step(std::span<const double> flux, const HeatMotion& motion);
 
 private:
   struct State;

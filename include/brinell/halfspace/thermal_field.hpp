@@ -58,29 +58,29 @@ public:
   [[nodiscard]] const std::vector<double>& depths() const;
   [[nodiscard]] double time() const; ///< total duration of all steps so far [s]
 
-  /// Adds a step: `SurfaceTemperature::take_up`.
-  void take_up(std::span<const double> flux, const HeatMotion& motion);
+  /// Adds a step: `SurfaceTemperature::add_step`.
+  void add_step(std::span<const double> flux, const HeatMotion& motion);
 
   /// Adds more flux to the last step, with the same motion: the state becomes the one after a step with the sum of both fluxes.
-  void amend(std::span<const double> flux, const HeatMotion& motion);
+  void add_to_last_step(std::span<const double> flux, const HeatMotion& motion);
 
   /// Adds heat that is generated in the body at a constant rate during the step that begins; heat generated earlier spreads
-  /// during that step. To be called before `take_up` of the same step. `layers` and `displacement` include this heat at once as
+  /// during that step. To be called before `add_step` of the same step. `layers` and `displacement` include this heat at once as
   /// it is at the end of the step, for any duration passed to them; `remaining_temperature` does not include it.
   /// docs/theory/heat.md (buried)
   /// @param heat  [J/m^3] per cell, [layer][cell]; layers beyond the heated ones are stored in the thicker layers beneath
-  void take_up_in_body(std::span<const double> heat, double duration);
-  /// Restores the state before the last `take_up_in_body`.
-  void go_back_in_body();
+  void add_heat_in_body(std::span<const double> heat, double duration);
+  /// Restores the state before the last `add_heat_in_body`.
+  void restore_heat_in_body();
   /// Adds the temperature rise of the surface [K] due to the heat generated in the body, in its present state.
   void add_temperature_of_body(std::span<double> temperature) const;
 
-  /// Memory of the flux, to be restored by `go_back`.
+  /// Memory of the flux, to be restored by `restore`.
   struct Heat;
   [[nodiscard]] Hidden<Heat> heat() const;
   /// Adds a step and moves the memory before the step into `before`, without a copy; buffers that `before` holds are reused.
-  void take_up(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before);
-  void go_back(const Hidden<Heat>& heat);
+  void add_step(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before);
+  void restore(const Hidden<Heat>& heat);
   /// Everything that later steps depend on.
   void exchange(Archive& archive);
 

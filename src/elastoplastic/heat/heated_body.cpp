@@ -104,8 +104,8 @@ void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatM
   }
   if (plastic_)
   {
-    field_->take_up_in_body(plastic_->source(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
-                            motion.duration);
+    field_->add_heat_in_body(plastic_->source(motion.velocity_x * motion.duration / grid_.dx, motion.duration),
+                             motion.duration);
     is_volume_heat_advanced_ = true;
   }
   if (field_->time() > 0.0)
@@ -119,7 +119,7 @@ void BodyHeat::begin(const std::vector<double>& expected, const halfspace::HeatM
   if (!acts_in_layers())
     return;
   expected_.assign(expected.begin(), expected.end());
-  field_->take_up(expected_, motion, before_);
+  field_->add_step(expected_, motion, before_);
   is_expected_applied_ = true;
   find_layers(body);
 }
@@ -142,12 +142,12 @@ void BodyHeat::settle(std::span<const double> flux)
   if (steady_)
     steady_->settle(flux);
   else if (!is_expected_applied_)
-    field_->take_up(flux, motion_);
+    field_->add_step(flux, motion_);
   else
   {
     for (std::size_t i = 0; i < flux.size(); ++i)
       expected_[i] = flux[i] - expected_[i];
-    field_->amend(expected_, motion_);
+    field_->add_to_last_step(expected_, motion_);
     is_expected_applied_ = false;
   }
   if (!swells_)
@@ -164,11 +164,11 @@ void BodyHeat::restore()
   if (steady_)
     steady_->restore();
   if (is_volume_heat_advanced_)
-    field_->go_back_in_body();
+    field_->restore_heat_in_body();
   is_volume_heat_advanced_ = false;
   if (!is_expected_applied_)
     return;
-  field_->go_back(before_);
+  field_->restore(before_);
   is_expected_applied_ = false;
 }
 

@@ -59,7 +59,9 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const bool has_friction = sliding.friction.coefficient > 0.0;
   if (has_friction && twin == Twin::alike)
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
-  if (has_friction || sliding.heat) // heat needs an interface, if need be without friction
+  // Heat needs an interface, if need be without friction, and so does wear that is not proportional to the pressure: with an
+  // interface pressure and wear are solved in turns.
+  if (has_friction || sliding.heat || (sliding.wear.wears() && sliding.wear.kind != WearLaw::Kind::archard))
     interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
   if (sliding.heat)
     heating_ = std::make_unique<Heating>(

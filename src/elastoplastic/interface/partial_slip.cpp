@@ -104,7 +104,7 @@ void PartialSlip::find_displacement(const Bodies& bodies, std::span<const double
 
 /// Moves the quantities that belong to surface points through the contact grid as the contact rolls. Residual displacements are
 /// read from the bodies at the new place and need no move.
-void PartialSlip::carry_along(const Bodies& bodies)
+void PartialSlip::advect(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
   carried_ = {-static_cast<int>(std::lround(bodies.lower_columns)), 0};
@@ -170,7 +170,7 @@ void PartialSlip::begin(Start start)
   before_ = state_;
   start_ = std::move(start);
   const Bodies& bodies = start_.bodies;
-  carry_along(bodies);
+  advect(bodies);
   drive_ = start_.along;
   drive_.spin -= state_.turned;
   if (!is_forced(0))

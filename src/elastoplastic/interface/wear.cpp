@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <utility>
 
 namespace brinell::elastoplastic
 {
@@ -17,7 +19,62 @@ namespace
 /// Twice the compliance of the shortest wave along an axis, over the size of the cells and the modulus.
 constexpr double explicit_share = 0.9;
 
+/// The intensity of wear as a linear function of the pressure, near the present one and under constant friction.
+struct Line
+{
+  double slope = 0.0; ///< >= 0
+  double rest = 0.0;  ///< [Pa]
+};
+
+Line line_of(const WearLaw& law, double pressure, double shear)
+{
+  if (law.kind == WearLaw::Kind::archard)
+    return {1.0, 0.0};
+  if (pressure <= 0.0) // no wear
+    return {};
+  const double intensity = law.intensity(pressure, shear);
+  if (law.kind == WearLaw::Kind::energy)
+    return {intensity / pressure, 0.0};
+  constexpr double step = 1e-6;
+  const double beyond = law.intensity((1.0 + step) * pressure, (1.0 + step) * shear);
+  const double slope = std::max(0.0, (beyond - intensity) / (step * pressure));
+  return {slope, intensity - slope * pressure};
+}
+
+/// Intensity of wear under which the points of surfaces that may stick begin to slip [Pa]; empty for others.
+std::vector<double> intensity_of_onset(const WearLaw& law, const Interaction& trial)
+{
+  if (law.kind == WearLaw::Kind::energy)
+    return trial.shear_of_onset();
+  std::vector<double> onset = trial.pressure_of_onset();
+  if (law.kind == WearLaw::Kind::archard || onset.empty())
+    return onset;
+  const std::vector<double> shear = trial.shear_of_onset();
+  for (std::size_t i = 0; i < onset.size(); ++i)
+    onset[i] = onset[i] > 0.0 ? law.intensity(onset[i], shear[i]) : 0.0;
+  return onset;
+}
+
 } // namespace
+
+UserWear::UserWear(Intensity intensity) : intensity_(std::make_shared<const Intensity>(std::move(intensity)))
+{
+  if (!*intensity_)
+    throw InputError("a wear law has no function");
+  for (const double pressure : {1.0, 1e3, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11})
+    for (const double friction : {0.0, 0.1, 0.5, 1.0})
+      static_cast<void>(intensity_at(pressure, friction * pressure));
+}
+
+double UserWear::intensity_at(double pressure, double shear) const
+{
+  const double w = (*intensity_)(pressure, shear);
+  if (!(w >= 0.0) || !std::isfinite(w))
+    throw InputError(fmt::format("a wear law has the intensity {:g} Pa at the pressure {:g} Pa and the shear {:g} Pa; "
+                                 "allowed: >= 0, finite",
+                                 w, pressure, shear));
+  return w;
+}
 
 Wear::Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law,
            double modulus)
@@ -43,20 +100,23 @@ double Wear::evaluate(const Interaction& trial)
   const bool is_archard = law_.kind == WearLaw::Kind::archard;
   const std::vector<double> length = trial.slip_length();
   const std::vector<double> shear = is_archard ? std::vector<double>() : trial.shear();
-  const std::vector<double> onset = is_archard ? trial.pressure_of_onset() : trial.shear_of_onset();
+  const std::vector<double> onset = intensity_of_onset(law_, trial);
   double change = 0.0;
   for (std::size_t i = 0; i < compliance_.size(); ++i)
   {
     const double p = trial.pressure()[i];
-    // Without pressure the ratio is undefined, and there is no wear.
-    const double ratio = is_archard ? 1.0 : (p > 0.0 ? shear[i] / p : 0.0);
     const double per_pressure = law_.sum() * length[i];
+    const Line line = per_pressure > 0.0 ? line_of(law_, p, shear.empty() ? 0.0 : shear[i]) : Line{};
     // Share of the slip that counts under the pressure at the end.
-    const double at_end =
-        onset.empty() || per_pressure == 0.0 ? 1.0 : std::max(0.5, 1.0 - 0.5 * explicit_limit_ / per_pressure);
-    const double now = at_end * per_pressure * ratio;
-    const double known = onset.empty() ? 0.0 : (1.0 - at_end) * per_pressure * onset[i];
-    change = larger(change, std::abs(now - compliance_[i]) * p + std::abs(known - from_onset_[i]));
+    const double at_end = onset.empty() || per_pressure == 0.0
+                              ? 1.0
+                              : std::max(0.5, 1.0 - 0.5 * explicit_limit_ / (std::max(1.0, line.slope) * per_pressure));
+    const double now = at_end * per_pressure * line.slope;
+    const double known =
+        (onset.empty() ? 0.0 : (1.0 - at_end) * per_pressure * onset[i]) + at_end * per_pressure * line.rest;
+    // With a tangent only the sum matters: rounding errors of the slope cancel in it.
+    const double by_slope = (now - compliance_[i]) * p, by_rest = known - from_onset_[i];
+    change = larger(change, line.rest != 0.0 ? std::abs(by_slope + by_rest) : std::abs(by_slope) + std::abs(by_rest));
     compliance_[i] = now;
     from_onset_[i] = known;
   }

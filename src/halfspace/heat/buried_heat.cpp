@@ -104,7 +104,7 @@ BuriedHeat::Scratch BuriedHeat::make_scratch() const
   return {waves, waves, decay, decay};
 }
 
-void BuriedHeat::take_up(const std::vector<AlignedVector<Complex>>& rise, double duration)
+void BuriedHeat::add_step(const std::vector<AlignedVector<Complex>>& rise, double duration)
 {
   const std::size_t n = layers_->size();
   Step step{rise, n, 0, {}, {}};
@@ -178,7 +178,7 @@ void BuriedHeat::find_temperature(std::size_t block, Scratch& scratch)
   potential_[block] = potential;
 }
 
-void BuriedHeat::go_back()
+void BuriedHeat::restore()
 {
   is_cold_ = was_cold_;
   if (is_cold_)

@@ -25,9 +25,9 @@ public:
   /// A step: the heat of earlier steps spreads, and new heat is generated at a constant rate.
   /// @param rise  spectra of the temperature rise of the layers if they retained all of the new heat [K], one each; empty ones are
   ///              zero
-  void take_up(const std::vector<AlignedVector<Complex>>& rise, double duration);
+  void add_step(const std::vector<AlignedVector<Complex>>& rise, double duration);
   /// Restores the state before the last step.
-  void go_back();
+  void restore();
   [[nodiscard]] bool is_cold() const { return is_cold_; }
 
   /// Adds the temperature of the surface to the spectrum of all waves [K].

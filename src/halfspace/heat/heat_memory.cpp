@@ -277,13 +277,13 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
   fft_.inverse(rows, fields_of_heat.is_odd, adds, out, window);
 }
 
-void HeatMemory::take_up_in_body(const std::vector<std::vector<double>>& rise, double duration)
+void HeatMemory::add_heat_in_body(const std::vector<std::vector<double>>& rise, double duration)
 {
   std::vector<AlignedVector<Complex>> spectra;
   spectra.reserve(rise.size());
   for (const std::vector<double>& layer : rise)
     spectra.push_back(layer.empty() ? AlignedVector<Complex>{} : fft_.forward(layer));
-  buried_->take_up(spectra, duration);
+  buried_->add_step(spectra, duration);
 }
 
 void HeatMemory::add_buried(double factor, std::span<double> temperature) const

@@ -30,7 +30,7 @@ struct HeatRow
 class HeatMemory
 {
 public:
-  /// Heat of each wave along the surface and in depth. What `amend` adds is the same for all waves in depth except for a factor
+  /// Heat of each wave along the surface and in depth. What `add_to_last_step` adds is the same for all waves in depth except for a factor
   /// that depends on the motion only. It is therefore stored separately, and added to the waves by the next step, which changes
   /// all of them anyway.
   struct Heat
@@ -82,14 +82,14 @@ public:
 
   /// A step: the stored heat decays over the duration of the motion, and the heat of its flux is added.
   /// @param before  receives the heat before the step; may be nullptr
-  void take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before = nullptr);
+  void add_step(std::span<const double> flux, const HeatMotion& motion, Heat* before = nullptr);
   /// Adds more flux to the last step, over whose duration the stored heat has already decayed.
-  void amend(std::span<const double> flux, const HeatMotion& motion);
+  void add_to_last_step(std::span<const double> flux, const HeatMotion& motion);
 
-  /// A step of the heat generated in the body: `BuriedHeat::take_up`.
+  /// A step of the heat generated in the body: `BuriedHeat::add_step`.
   /// @param rise  of each of its layers [K], one field each; empty ones are zero
-  void take_up_in_body(const std::vector<std::vector<double>>& rise, double duration);
-  void go_back_in_body() { buried_->go_back(); }
+  void add_heat_in_body(const std::vector<std::vector<double>>& rise, double duration);
+  void restore_heat_in_body() { buried_->restore(); }
 
   [[nodiscard]] const Heat& heat() const { return heat_; }
   void set_heat(const Heat& heat);

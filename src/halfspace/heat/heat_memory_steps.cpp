@@ -120,7 +120,7 @@ AlignedVector<Complex> HeatMemory::heat_of(std::span<const double> flux, const H
 }
 
 /// Moves the heat so far into `before`, unchanged to the last digit, also where the next step has another motion.
-void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion, Heat* before)
+void HeatMemory::add_step(std::span<const double> flux, const HeatMotion& motion, Heat* before)
 {
   if (before != nullptr)
   {
@@ -138,7 +138,7 @@ void HeatMemory::take_up(std::span<const double> flux, const HeatMotion& motion,
   heat_.amended.clear();
 }
 
-void HeatMemory::amend(std::span<const double> flux, const HeatMotion& motion)
+void HeatMemory::add_to_last_step(std::span<const double> flux, const HeatMotion& motion)
 {
   if (!heat_.amended.empty()) // a second time: the sums are computed anew when they are needed
     sums_.reset();
@@ -312,7 +312,7 @@ void HeatMemory::sum_row(int row, const ComplexLanes* heat, const SurfaceWeights
   }
 }
 
-/// After the duration of the amended step, what was amended is added to the sums of the rest as `amend` does, so that a run that
+/// After the duration of the amended step, what was amended is added to the sums of the rest as `add_to_last_step` does, so that a run that
 /// goes on from a checkpoint gets the same digits.
 HeatMemory::SurfaceSums HeatMemory::find_sums(double duration) const
 {

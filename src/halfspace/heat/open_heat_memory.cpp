@@ -238,8 +238,8 @@ void OpenHeatMemory::for_each_lattice(std::span<const double> flux, const Use& u
   }
 }
 
-void OpenHeatMemory::take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
-                             Heat* before)
+void OpenHeatMemory::add_step(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
+                              Heat* before)
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
   require_step(function_name, motion.duration);
@@ -253,14 +253,15 @@ void OpenHeatMemory::take_up(const char* function_name, std::span<const double> 
     before->time = time_;
   }
   for_each_lattice(flux, [&](HeatMemory& memory, std::span<const double> given)
-                   { memory.take_up(given, motion, before != nullptr ? &before->lattices[lattice++] : nullptr); });
+                   { memory.add_step(given, motion, before != nullptr ? &before->lattices[lattice++] : nullptr); });
   time_ += motion.duration;
 }
 
-void OpenHeatMemory::amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion)
+void OpenHeatMemory::add_to_last_step(const char* function_name, std::span<const double> flux, const HeatMotion& motion)
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
-  for_each_lattice(flux, [&](HeatMemory& memory, std::span<const double> given) { memory.amend(given, motion); });
+  for_each_lattice(flux,
+                   [&](HeatMemory& memory, std::span<const double> given) { memory.add_to_last_step(given, motion); });
 }
 
 /// Converts the temperature rise to all conducting layers: beneath the layers of uniform thickness, heat is distributed in
@@ -289,7 +290,7 @@ std::vector<std::vector<double>> OpenHeatMemory::on_conducting_layers(std::span<
   return of_layers;
 }
 
-void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const double> rise, double duration)
+void OpenHeatMemory::add_heat_in_body(const char* function_name, std::span<const double> rise, double duration)
 {
   if (!layers_)
     throw InternalError(fmt::format("{}: no layers with heat sources are planned", function_name));
@@ -297,7 +298,7 @@ void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const 
   if (rise.size() % grid().size() != 0)
     throw InternalError(fmt::format("{}: {} values on {} cells", function_name, rise.size(), grid().size()));
   std::vector<std::vector<double>> of_layers = on_conducting_layers(rise);
-  near_.take_up_in_body(of_layers, duration);
+  near_.add_heat_in_body(of_layers, duration);
   const LayeredConduction* layers = layers_.get();
   for (FartherImages& images : farther_)
   {
@@ -311,15 +312,15 @@ void OpenHeatMemory::take_up_in_body(const char* function_name, std::span<const 
         layer = images.cells.from_finer(layer);
     if (!images.lattices)
       continue;
-    images.lattices->twice.take_up_in_body(of_layers, duration);
-    images.lattices->once.take_up_in_body(of_layers, duration);
+    images.lattices->twice.add_heat_in_body(of_layers, duration);
+    images.lattices->once.add_heat_in_body(of_layers, duration);
   }
 }
 
-void OpenHeatMemory::go_back_in_body()
+void OpenHeatMemory::restore_heat_in_body()
 {
   for (HeatMemory* memory : lattices())
-    memory->go_back_in_body();
+    memory->restore_heat_in_body();
 }
 
 void OpenHeatMemory::add_temperature_of_body(std::span<double> temperature) const

@@ -42,14 +42,14 @@ public:
   [[nodiscard]] HeatMemory::Window whole() const { return near_.whole(); }
   struct Heat;
   /// @param before  receives the memory before the step; may be nullptr
-  void take_up(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
-               Heat* before = nullptr);
-  void amend(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
+  void add_step(const char* function_name, std::span<const double> flux, const HeatMotion& motion,
+                Heat* before = nullptr);
+  void add_to_last_step(const char* function_name, std::span<const double> flux, const HeatMotion& motion);
 
-  /// A step of the heat generated in the body: ThermalField::take_up_in_body.
+  /// A step of the heat generated in the body: ThermalField::add_heat_in_body.
   /// @param rise  temperature rise of the heated layers if they retained all of the new heat [K], [layer][cell]
-  void take_up_in_body(const char* function_name, std::span<const double> rise, double duration);
-  void go_back_in_body();
+  void add_heat_in_body(const char* function_name, std::span<const double> rise, double duration);
+  void restore_heat_in_body();
   /// Adds the temperature of the surface due to the heat generated in the body, in its present state.
   void add_temperature_of_body(std::span<double> temperature) const;
 

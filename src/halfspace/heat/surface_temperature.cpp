@@ -31,9 +31,9 @@ void SurfaceTemperature::remaining(double duration, std::span<double> temperatur
   state_->memory.remaining("SurfaceTemperature::remaining", duration, temperature);
 }
 
-void SurfaceTemperature::take_up(std::span<const double> flux, const HeatMotion& motion)
+void SurfaceTemperature::add_step(std::span<const double> flux, const HeatMotion& motion)
 {
-  state_->memory.take_up("SurfaceTemperature::take_up", flux, motion);
+  state_->memory.add_step("SurfaceTemperature::add_step", flux, motion);
 }
 
 } // namespace brinell::halfspace

@@ -209,27 +209,27 @@ double ThermalField::time() const
   return state_->memory.time();
 }
 
-void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motion)
+void ThermalField::add_step(std::span<const double> flux, const HeatMotion& motion)
 {
-  state_->memory.take_up("ThermalField::take_up", flux, motion);
+  state_->memory.add_step("ThermalField::add_step", flux, motion);
 }
 
-void ThermalField::amend(std::span<const double> flux, const HeatMotion& motion)
+void ThermalField::add_to_last_step(std::span<const double> flux, const HeatMotion& motion)
 {
-  state_->memory.amend("ThermalField::amend", flux, motion);
+  state_->memory.add_to_last_step("ThermalField::add_to_last_step", flux, motion);
 }
 
-void ThermalField::take_up_in_body(std::span<const double> heat, double duration)
+void ThermalField::add_heat_in_body(std::span<const double> heat, double duration)
 {
   std::vector<double> rise(heat.begin(), heat.end());
   for (double& value : rise)
     value /= state_->capacity;
-  state_->memory.take_up_in_body("ThermalField::take_up_in_body", rise, duration);
+  state_->memory.add_heat_in_body("ThermalField::add_heat_in_body", rise, duration);
 }
 
-void ThermalField::go_back_in_body()
+void ThermalField::restore_heat_in_body()
 {
-  state_->memory.go_back_in_body();
+  state_->memory.restore_heat_in_body();
 }
 
 void ThermalField::add_temperature_of_body(std::span<double> temperature) const
@@ -248,14 +248,14 @@ Hidden<ThermalField::Heat> ThermalField::heat() const
   return make_hidden<Heat>(state_->memory.heat());
 }
 
-void ThermalField::take_up(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before)
+void ThermalField::add_step(std::span<const double> flux, const HeatMotion& motion, Hidden<Heat>& before)
 {
   if (before.empty())
     before = make_hidden<Heat>();
-  state_->memory.take_up("ThermalField::take_up", flux, motion, &before->of_memory);
+  state_->memory.add_step("ThermalField::add_step", flux, motion, &before->of_memory);
 }
 
-void ThermalField::go_back(const Hidden<Heat>& heat)
+void ThermalField::restore(const Hidden<Heat>& heat)
 {
   state_->memory.set_heat(heat->of_memory);
 }

@@ -39,7 +39,7 @@ OfCell displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, con
   const bool is_symmetric = !grid.is_periodic_y() && motion.velocity_y == 0.0;
   ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration}, {}, HeatImages::fine,
                      is_symmetric ? Symmetry::in_y : Symmetry::none);
-  field.take_up(flux, motion);
+  field.add_step(flux, motion);
   field.displacement({displacement[0], displacement[1], displacement[2]});
   return displacement;
 }

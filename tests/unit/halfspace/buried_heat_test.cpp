@@ -76,8 +76,8 @@ TEST(BuriedHeat, HeatOfALayerSpreadsInDepth)
     double error = 0.0;
     for (int n = 0; n < 4; ++n)
     {
-      field.take_up_in_body(n == 0 ? heat : none, step);
-      field.take_up(no_flux, {step});
+      field.add_heat_in_body(n == 0 ? heat : none, step);
+      field.add_step(no_flux, {step});
       // All of it is there: a layer that cannot expand along the surface is lifted by alpha (1 + nu)/(1 - nu) times it.
       EXPECT_NEAR(displacement_of(field).front(), -body.expansion * (1.0 + nu) / (1.0 - nu) * 1.5 / capacity, 1e-12);
     }
@@ -113,8 +113,8 @@ void expect_heat_stays(HeatImages images, double thickness)
       heat[i] = i % 7 == static_cast<std::size_t>(n) ? 2.0 : 0.0;
       sum[i] += heat[i] / capacity;
     }
-    field.take_up_in_body(heat, 0.1);
-    field.take_up(Field(g.size(), 0.0), {0.1});
+    field.add_heat_in_body(heat, 0.1);
+    field.add_step(Field(g.size(), 0.0), {0.1});
   }
   for (std::size_t k = 0; k < static_cast<std::size_t>(layers); ++k)
   {
@@ -176,8 +176,8 @@ TEST(BuriedHeat, CubeInAnOpenHalfSpace)
             heat[static_cast<std::size_t>(k) * g.size() + g.index(i, j)] = 5.0 * duration / steps;
       for (int n = 0; n < steps; ++n)
       {
-        field.take_up_in_body(heat, duration / steps);
-        field.take_up(Field(g.size(), 0.0), {duration / steps});
+        field.add_heat_in_body(heat, duration / steps);
+        field.add_step(Field(g.size(), 0.0), {duration / steps});
       }
       double error = 0.0, largest = 0.0;
       for (int k = 0; k < layers; ++k)
@@ -223,8 +223,8 @@ TEST(BuriedHeat, LiftsTheSurfaceAsNucleiOfStrain)
         heat[5 * g.size() + g.index(i, j)] =
             std::exp(-0.5 * (place(i) * place(i) + place(j) * place(j)) / (sigma * sigma)) /
             (2.0 * pi * sigma * sigma * h);
-    field.take_up_in_body(heat, 1.0);
-    field.take_up(Field(g.size(), 0.0), {1.0});
+    field.add_heat_in_body(heat, 1.0);
+    field.add_step(Field(g.size(), 0.0), {1.0});
     const Field u = displacement_of(field);
     double error = 0.0, largest = 0.0;
     for (int j = 0; j < cells; j += 3)
@@ -264,12 +264,12 @@ TEST(BuriedHeat, GoesBackAndGoesOn)
   ThermalField straight = make(Symmetry::none), back = make(Symmetry::none), mirrored = make(Symmetry::in_y);
   for (int n = 0; n < 3; ++n)
   {
-    back.take_up_in_body(heat_of(7), 0.2);
-    back.go_back_in_body();
+    back.add_heat_in_body(heat_of(7), 0.2);
+    back.restore_heat_in_body();
     for (ThermalField* field : {&straight, &back, &mirrored})
     {
-      field->take_up_in_body(heat_of(n), 0.05);
-      field->take_up(none, {0.05});
+      field->add_heat_in_body(heat_of(n), 0.05);
+      field->add_step(none, {0.05});
     }
     Archive stored;
     back.exchange(stored);
@@ -293,8 +293,8 @@ TEST(BuriedHeat, DeeperLayersThanPlannedKeepTheirHeat)
 {
   const SurfaceGrid g{4, 4, 1.0, 1.0, periodic, periodic};
   ThermalField field(g, body, elastic, {0.1, 1.0}, middles(6, 0.25), HeatImages::fine, Symmetry::none, {3, 0.25});
-  field.take_up_in_body(std::vector<double>(6 * g.size(), 2.0), 0.1); // twice as many
-  field.take_up(Field(g.size(), 0.0), {0.1});
+  field.add_heat_in_body(std::vector<double>(6 * g.size(), 2.0), 0.1); // twice as many
+  field.add_step(Field(g.size(), 0.0), {0.1});
   EXPECT_NEAR(displacement_of(field).front(), -body.expansion * (1.0 + nu) / (1.0 - nu) * 2.0 * 1.5 / capacity, 1e-12);
 }
 
@@ -314,9 +314,9 @@ TEST(BuriedHeat, InAThinSkinItIsAFluxThroughTheSurface)
     heat[i] = flux[i] * step / h;
   for (int n = 0; n < 10; ++n)
   {
-    through.take_up(n < 4 ? flux : none, {step});
-    inside.take_up_in_body(n < 4 ? heat : nothing, step);
-    inside.take_up(none, {step});
+    through.add_step(n < 4 ? flux : none, {step});
+    inside.add_heat_in_body(n < 4 ? heat : nothing, step);
+    inside.add_step(none, {step});
   }
   const Field u = displacement_of(through), v = displacement_of(inside);
   // The skin is h^2/6 / (4 kappa t) = 2e-4 too deep.
@@ -358,8 +358,8 @@ TEST(BuriedHeat, ImagesOfThickerLayers)
   {
     for (ThermalField* field : {&all, &thick})
     {
-      field->take_up_in_body(heat, duration);
-      field->take_up(Field(g.size(), 0.0), {duration});
+      field->add_heat_in_body(heat, duration);
+      field->add_step(Field(g.size(), 0.0), {duration});
     }
     const Field u = displacement_of(all);
     EXPECT_LT(test::largest_difference(u, displacement_of(thick)), -promised * *std::min_element(u.begin(), u.end()));

@@ -217,7 +217,7 @@ TEST(SteadyField, TransientEndsThere)
     for (int n = 1; n <= 8; ++n)
     {
       const double x = 1.5 + way * (n - 8) / 8.0;
-      transient.take_up(
+      transient.add_step(
           test::sampled(g, [&](int i, int j)
                         { return std::exp(-(std::pow(g.x(i) - x, 2) + g.y(j) * g.y(j)) / (width * width)); }),
           {duration / 8.0, velocity});

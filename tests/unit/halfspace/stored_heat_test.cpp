@@ -53,10 +53,10 @@ protected:
       for (int k = 0; k < heated.count; ++k)
         for (const double value : flux(100 + 10 * n + static_cast<unsigned>(k)))
           heat.push_back(value);
-      field.take_up_in_body(heat, motion.duration);
+      field.add_heat_in_body(heat, motion.duration);
     }
-    field.take_up(flux(n), motion, before);
-    field.amend(flux(n + 50), motion);
+    field.add_step(flux(n), motion, before);
+    field.add_to_last_step(flux(n + 50), motion);
   }
 
   [[nodiscard]] static ThermalField stored(ThermalField& field)
@@ -127,12 +127,12 @@ TEST_P(StoredHeat, IsTheSameAfterAStepThatFailed)
     for (const HeatMotion& motion : {other, usual})
     {
       if (GetParam().heated.count > 0)
-        failing.take_up_in_body(Field(static_cast<std::size_t>(GetParam().heated.count) * GetParam().grid.size(), 1.0),
-                                motion.duration);
-      failing.take_up(flux(80 + n), motion, kept);
-      failing.go_back(kept);
+        failing.add_heat_in_body(Field(static_cast<std::size_t>(GetParam().heated.count) * GetParam().grid.size(), 1.0),
+                                 motion.duration);
+      failing.add_step(flux(80 + n), motion, kept);
+      failing.restore(kept);
       if (GetParam().heated.count > 0)
-        failing.go_back_in_body();
+        failing.restore_heat_in_body();
       if (n > 1)
       {
         EXPECT_TRUE(all_of(failing) == all_of(field)) << "before step " << n;

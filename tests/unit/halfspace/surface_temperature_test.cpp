@@ -29,7 +29,7 @@ Field after(const SurfaceGrid& g, int steps, const HeatMotion& step, const std::
 {
   SurfaceTemperature memory(g, body, {step.duration, steps * step.duration});
   for (int n = 0; n + 1 < steps; ++n)
-    memory.take_up(fluxes[static_cast<std::size_t>(n)], step);
+    memory.add_step(fluxes[static_cast<std::size_t>(n)], step);
   Field remaining(g.size()), own(g.size());
   memory.remaining(step.duration, remaining);
   const HeatResponse response(g, body, step);
@@ -186,10 +186,10 @@ TEST(SurfaceTemperature, StepsOutsideWhatWasPlanned)
   Field field(g.size());
   SurfaceTemperature memory(g, body, {0.1, 1.0});
   EXPECT_THROW(memory.remaining(0.05, field), InputError);
-  EXPECT_THROW(memory.take_up(field, {0.05}), InputError);
-  memory.take_up(field, {0.6});
+  EXPECT_THROW(memory.add_step(field, {0.05}), InputError);
+  memory.add_step(field, {0.6});
   EXPECT_DOUBLE_EQ(memory.time(), 0.6);
-  EXPECT_THROW(memory.take_up(field, {0.6}), InputError);
+  EXPECT_THROW(memory.add_step(field, {0.6}), InputError);
   EXPECT_THROW(SurfaceTemperature(g, body, {0.0, 1.0}), InputError);
   EXPECT_THROW(SurfaceTemperature(g, body, {1.0, 0.5}), InputError);
 }

@@ -72,7 +72,7 @@ protected:
       for (int j = 0; j < own.ny; ++j)
         for (int i = 0; i < own.nx; ++i)
           heat[g.index(i + around_x, j + around_y)] = inner[own.index(i, j)];
-      field.take_up(heat, {duration, shift * g.dx / duration});
+      field.add_step(heat, {duration, shift * g.dx / duration});
     }
     const auto cut = [&](const auto& whole)
     { return test::sampled(own, [&](int i, int j) { return whole(g.index(i + around_x, j + around_y)); }); };
@@ -109,7 +109,7 @@ TEST_P(FluxEverywhere, LastStepIsAResponse)
   const HeatMotion motion{duration, shift * g.dx / duration};
   ThermalField field(g, body, elastic, {duration, 3.0 * duration});
   for (int n = 0; n < 2; ++n)
-    field.take_up(flux(n), motion);
+    field.add_step(flux(n), motion);
   const Field last = flux(2);
   std::array<Field, 3> remaining, sum, whole;
   for (std::array<Field, 3>* displacement : {&remaining, &sum, &whole})
@@ -118,7 +118,7 @@ TEST_P(FluxEverywhere, LastStepIsAResponse)
   const ThermalResponse response(g, body, elastic, motion, {}, Displacements::all);
   ThermalResponse::Scratch scratch = response.make_scratch();
   response.apply(last, {sum[0], sum[1], sum[2]}, scratch);
-  field.take_up(last, motion);
+  field.add_step(last, motion);
   field.displacement({whole[0], whole[1], whole[2]});
   std::printf("response:");
   for (std::size_t part = 0; part < sum.size(); ++part)
@@ -162,7 +162,7 @@ protected:
         { return std::exp(-(std::pow(spot.grid.x(i), 2) + std::pow(spot.grid.y(j), 2)) / (spot.width * spot.width)); });
     ThermalField field(spot.grid, body, elastic, {duration / spot.steps, duration}, std::move(depths));
     for (int n = 0; n < spot.steps; ++n)
-      field.take_up(flux, {duration / spot.steps});
+      field.add_step(flux, {duration / spot.steps});
     return field;
   }
 };
@@ -237,7 +237,7 @@ TEST_P(HeatedSpot, StressIsThatOnALargerGrid)
         test::sampled(grid, [&, width = w](int i, int j)
                       { return std::exp(-(grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (width * width)); });
     ThermalField field(grid, body, elastic, {duration, duration}, {0.0, w});
-    field.take_up(flux, {duration});
+    field.add_step(flux, {duration});
     return std::pair{layer_of(field, 0), layer_of(field, 1)};
   };
   const auto own = stress(g), reference = stress(larger.grid);
@@ -265,7 +265,7 @@ TEST_P(HeatedSpot, CoarseImagesAreNearFineOnes)
   const auto heated_with = [&, grid = g, width = w](HeatImages images)
   {
     ThermalField field(grid, body, elastic, {duration, duration}, {0.0, width}, images);
-    field.take_up(flux, {duration});
+    field.add_step(flux, {duration});
     return field;
   };
   const ThermalField fine = heated_with(HeatImages::fine), coarse = heated_with(HeatImages::coarse);
@@ -301,14 +301,14 @@ TEST(ThermalField, OneSideTellsAll)
     {
       ThermalField field(g, body, elastic, {motion.duration, 4.0 * motion.duration}, {0.05, 0.3, 0.0},
                          HeatImages::coarse, symmetry);
-      field.take_up(flux, motion);
-      field.take_up(flux, motion);
-      field.amend(more, motion);
+      field.add_step(flux, motion);
+      field.add_step(flux, motion);
+      field.add_to_last_step(more, motion);
       return field;
     };
     ThermalField one_side = heated(Symmetry::in_y);
     const ThermalField both = heated(Symmetry::none);
-    EXPECT_THROW(one_side.take_up(flux, {motion.duration, 0.0, 1.0}), InputError);
+    EXPECT_THROW(one_side.add_step(flux, {motion.duration, 0.0, 1.0}), InputError);
     // Rounding, of fields some of which are much smaller than what they are summed from.
     constexpr double rounding = 1e-12;
     Field a(g.size()), b(g.size());

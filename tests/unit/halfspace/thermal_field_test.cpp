@@ -41,7 +41,7 @@ TEST(ThermalField, UniformHeatInAPeriod)
   ThermalField field(g, body, elastic, {0.1, 1.0}, {0.0, 0.2, 1.0, 4.0});
   const Field flux(g.size(), 3.0);
   for (int n = 0; n < 10; ++n)
-    field.take_up(flux, {0.1, 0.4, 0.1});
+    field.add_step(flux, {0.1, 0.4, 0.1});
   // A layer that cannot expand along the surface: alpha (1 + nu)/(1 - nu) times the heat in it over rho c.
   const double rise = body.expansion * (1.0 + nu) / (1.0 - nu) * 3.0 / 4.0;
   EXPECT_NEAR(displacement_of(field).back(), -rise, 1e-12);
@@ -83,7 +83,7 @@ TEST(ThermalField, DisplacementOfOneWaveIsThatOfNucleiOfStrain)
   {
     ThermalField field(wave.grid, body, elastic, {duration, steps * duration});
     for (int n = 0; n < steps; ++n)
-      field.take_up(wave.flux(), {duration});
+      field.add_step(wave.flux(), {duration});
     const auto left = [&](double t)
     {
       const double length = std::sqrt(kappa * t);
@@ -109,7 +109,7 @@ TEST(ThermalField, StressOfOneWaveIsInEquilibriumAndCompatible)
   {
     ThermalField field(wave.grid, body, elastic, {0.05, 0.5}, {depth - spacing, depth, depth + spacing});
     for (int n = 0; n < 10; ++n)
-      field.take_up(wave.flux(), {0.05});
+      field.add_step(wave.flux(), {0.05});
     std::vector<SymTensor> s;
     std::vector<double> T;
     for (std::size_t n = 0; n < 3; ++n)
@@ -153,7 +153,7 @@ TEST(ThermalField, SurfaceIsFreeOfTraction)
     const SurfaceGrid g{20, 15, 0.1, 0.12, boundary, open};
     ThermalField field(g, body, elastic, {0.01, 0.1}, {0.0});
     for (unsigned n = 0; n < 4; ++n)
-      field.take_up(test::random_field(g.size(), n), {0.01, 5.0});
+      field.add_step(test::random_field(g.size(), n), {0.01, 5.0});
     for (const double later : {0.0, 0.02})
       for (const SymTensor& stress : layer_of(field, 0, later).stress)
         for (const std::size_t c : {2U, 3U, 4U})
@@ -167,9 +167,9 @@ TEST(ThermalField, StepsOfOneFluxAreOneStep)
   const Field flux = test::random_field(g.size(), 3);
   const HeatTimes times{0.02, 0.12};
   ThermalField two(g, body, elastic, times, {0.0, 0.3}), one(g, body, elastic, times, {0.0, 0.3});
-  two.take_up(flux, {0.02});
-  two.take_up(flux, {0.04});
-  one.take_up(flux, {0.06});
+  two.add_step(flux, {0.02});
+  two.add_step(flux, {0.04});
+  one.add_step(flux, {0.06});
   for (const double later : {0.0, 0.03})
   {
     const Field u = displacement_of(one, later);
@@ -201,8 +201,8 @@ TEST(ThermalField, ManyLayersAtOnceAreThoseOneByOne)
   {
     ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::fine, Symmetry::none, heated);
     if (heated.count > 0)
-      field.take_up_in_body(test::random_field(6 * cells, 8), 0.1);
-    field.take_up(flux, {0.1, 2.0});
+      field.add_heat_in_body(test::random_field(6 * cells, 8), 0.1);
+    field.add_step(flux, {0.1, 2.0});
     Field together(fields * depths.size() * cells), alone(together.size());
     const auto of_layer = [&](Field& all, std::size_t k)
     {
@@ -246,7 +246,7 @@ TEST(ThermalField, InABodyIsWhatItsLayersHave)
   for (const Symmetry symmetry : {Symmetry::none, Symmetry::in_y})
   {
     ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::coarse, symmetry);
-    field.take_up(flux, {0.1, 2.0});
+    field.add_step(flux, {0.1, 2.0});
     EXPECT_FALSE(field.holds({17, 7, 0.2, 0.25}));
     EXPECT_FALSE(field.holds({8, 7, 0.2, 0.25}));
     ASSERT_TRUE(field.holds(cells_of_body.surface));
@@ -288,8 +288,8 @@ TEST(ThermalField, WhatCannotBe)
   EXPECT_THROW(field.displacement({f, {}, {}}, 0.05), InputError);
   EXPECT_THROW(field.layer(1, {f, {}, {}}), InternalError);
   EXPECT_THROW(field.layer(0, {{}, f, {}}), InternalError);
-  field.take_up(f, {0.9});
-  EXPECT_THROW(field.take_up(f, {0.2}), InputError);
+  field.add_step(f, {0.9});
+  EXPECT_THROW(field.add_step(f, {0.2}), InputError);
   EXPECT_NEAR(field.time(), 0.9, 1e-15);
 }
 
@@ -307,10 +307,10 @@ TEST(ThermalField, RemembersAsMuchAfterManyStepsAsAfterOne)
       count += values.size();
     return count;
   };
-  field.take_up(flux, {0.1, 1.0});
+  field.add_step(flux, {0.1, 1.0});
   const std::size_t after_one = numbers();
   for (int step = 1; step < 500; ++step)
-    field.take_up(flux, {0.1, 1.0});
+    field.add_step(flux, {0.1, 1.0});
   EXPECT_EQ(numbers(), after_one);
   EXPECT_GT(after_one, g.size());
 }

@@ -1,0 +1,39 @@
+#!/bin/bash
+# Applies docs/developer/wear-law.patch to a copy of the sources, compiles the sources and tests that it touches, without making
+# code, and computes the law that it adds. CTest calls it: wear_law.sh SOURCE C++-COMPILER FOLDER-OF-HEADERS...
+set -euo pipefail
+source=$1 compiler=$2
+shift 2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cp -r "$source/include" "$source/src" "$work"
+mkdir -p "$work/docs" "$work/python" "$work/tests"
+cp -r "$source/docs/reference" "$work/docs"
+cp -r "$source/python/brinell" "$work/python"
+cp -r "$source/tests/unit" "$source/tests/support" "$work/tests"
+cd "$work"
+patch --strip=0 --forward --no-backup-if-mismatch <"$source/docs/developer/wear-law.patch"
+
+flags=(-std=c++20 -fopenmp -Wall -Wextra -Werror -I include -I src -I tests/support)
+for folder in "$@"; do
+  flags+=(-isystem "$folder")
+done
+touched=$(sed -n 's/^+++ \([^ ]*\).*/\1/p' "$source/docs/developer/wear-law.patch")
+for file in $(grep '\.cpp$' <<<"$touched"); do
+  "$compiler" "${flags[@]}" -fsyntax-only "$file"
+done
+python3 -m py_compile $(grep '\.py$' <<<"$touched")
+
+cat >law.cpp <<'END'
+#include "brinell/elastoplastic/wear.hpp"
+double brinell::elastoplastic::UserWear::intensity_at(double, double) const { return -1.0; } // not used
+int main()
+{
+  using brinell::elastoplastic::WearLaw;
+  const WearLaw law{.lower = 1e-15, .kind = WearLaw::Kind::threshold, .threshold = 1e9};
+  return law.intensity(3e9, 0.0) == 2e9 && law.intensity(0.5e9, 0.0) == 0.0 ? 0 : 1;
+}
+END
+"$compiler" "${flags[@]}" law.cpp -o law
+./law
+echo "wear-law.patch: $(wc -w <<<"$touched") files"
