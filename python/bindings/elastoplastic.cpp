@@ -88,7 +88,7 @@ public:
        const Material& upper_material, const elastoplastic::Scales& scales, const elastoplastic::Settings& settings,
        Twin twin, elastoplastic::Textures textures, double friction, const PythonWear& wear)
       : contact_(contact, lower, upper, lower_material, upper_material, scales, settings, twin, std::move(textures),
-                 0.0, {.friction = {.coefficient = friction}, .wear = wear.law}),
+                 0.0, {.friction = {.coefficient = friction}, .effects = {.wear = wear.law}}),
         wear_function_(wear.function)
   {
   }
@@ -369,8 +369,9 @@ void bind_body_state(nb::class_<Pair>& pair)
                 [upper](const CoupledContact& c)
                 {
                   const SurfaceGrid& surface = (upper ? c.upper() : c.lower()).grid().surface;
-                  return c.wear() != nullptr ? copy_of(c.wear()->depth(upper ? 1 : 0), shape(surface))
-                                             : array(std::vector<double>(surface.size()), shape(surface));
+                  const auto* wear = c.effect<elastoplastic::Wear>();
+                  return wear != nullptr ? copy_of(wear->depth(upper ? 1 : 0), shape(surface))
+                                         : array(std::vector<double>(surface.size()), shape(surface));
                 });
           },
           "upper"_a)
@@ -378,8 +379,12 @@ void bind_body_state(nb::class_<Pair>& pair)
           "worn_volume",
           [](Pair& p, bool upper)
           {
-            return p.read([upper](const CoupledContact& c)
-                          { return c.wear() != nullptr ? c.wear()->volume(upper ? 1 : 0) : 0.0; });
+            return p.read(
+                [upper](const CoupledContact& c)
+                {
+                  const auto* wear = c.effect<elastoplastic::Wear>();
+                  return wear != nullptr ? wear->volume(upper ? 1 : 0) : 0.0;
+                });
           },
           "upper"_a)
       .def(

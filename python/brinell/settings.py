@@ -261,17 +261,24 @@ class Output(CaseTable):
             step nearest to the middle of each pass; in an indentation the steps that reach an entry of the list; in
             fretting the turns and the ends of the cycles; in sliding when the bodies are pressed together, and in the
             middle of each stroke. Default: "aligned".
-        fields: Fields of the stored states. "surface": all fields on surfaces, and none within the bodies; "shear",
-            "slip", "surface_temperature" and "heat_flux" are the fields of the contact of these names with all their
-            components. Pressure and gap are always stored. Default: all, as far as the result stays below 200 MB.
+        fields: Fields of the stored states. "surface": all fields on surfaces, and none within the bodies. If neither
+            body can yield, those within are computed only if they are stored: contact and surfaces do not need them,
+            and they cost far more time and memory than everything else. "shear", "slip", "surface_temperature" and
+            "heat_flux" are the fields of the contact of these names with all their components. Pressure and gap are
+            always stored. Default: all, as far as the result stays below 200 MB; if neither body can yield, "surface"
+            unless depth, a plane or points asks for more.
         bodies: Bodies whose fields are stored, on their surfaces and within them. Default: "both".
-        depth: Depth down to which layers are stored. In m, > 0; default: the whole grid.
+        depth: Depth down to which layers are stored. In m, > 0; default: the whole grid; not together with region_z.
         region_x: First and last x of the stored columns, on the surface of each body; equal numbers store the nearest
             column, which is a plane. The fields of the contact are stored as a whole. In m; default: the whole grid.
         region_y: First and last y of the stored rows; equal numbers store the nearest row: [0, 0] is the plane y = 0.
             In m; default: the whole grid.
+        region_z: First and last depth of the stored layers of both bodies; equal numbers store the nearest layer: ["20
+            um", "20 um"] is a plane. In m, >= 0; default: the whole grid; not together with depth.
         stride: Distance between two stored columns, and between two rows, in cells: 2 stores a quarter of all cells,
             unchanged, not means over them. Allowed: in [1, 1000]; default: 1.
+        stride_z: Distance between two stored layers, in layers: 2 stores the first, third, fifth, unchanged. Allowed:
+            in [1, 1000]; default: 1.
         precision: How the numbers of the fields are stored; single precision has 7 digits and half of the size. All
             computing is in double precision. Default: double, or single if the result would exceed 200 MB.
         directory: Folder of the results, relative to the current directory; -o on the command line has priority. NAME
@@ -287,6 +294,7 @@ class Output(CaseTable):
     depth: Quantity | None = None
     region_x: Sequence[Quantity] | None = None
     region_y: Sequence[Quantity] | None = None
+    region_z: Quantity | Sequence[Quantity] | None = None
     stride: int | None = None
     stride_z: int | None = None
     precision: Literal["double", "single"] | None = None

@@ -21,6 +21,8 @@ struct Effects
 
   /// Whether bodies that are mirror images of each other stay so.
   [[nodiscard]] bool are_alike() const { return wear.is_alike(); }
+  /// Whether pressure and effects are solved in turns: some of them are not proportional to the pressure.
+  [[nodiscard]] bool need_turns() const { return wear.wears() && wear.kind != WearLaw::Kind::archard; }
   bool operator==(const Effects&) const = default;
 };
 

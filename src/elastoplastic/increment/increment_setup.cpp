@@ -59,9 +59,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const bool has_friction = sliding.friction.coefficient > 0.0;
   if (has_friction && twin == Twin::alike)
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
-  // Heat needs an interface, if need be without friction, and so does wear that is not proportional to the pressure: with an
-  // interface pressure and wear are solved in turns.
-  if (has_friction || sliding.heat || (sliding.wear.wears() && sliding.wear.kind != WearLaw::Kind::archard))
+  // Heat needs an interface, if need be without friction; with an interface pressure and effects are solved in turns.
+  if (has_friction || sliding.heat || sliding.effects.need_turns())
     interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
   if (sliding.heat)
     heating_ = std::make_unique<Heating>(

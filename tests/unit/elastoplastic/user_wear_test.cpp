@@ -57,7 +57,7 @@ public:
   }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] const CoupledContact& contact() const { return contact_; }
-  [[nodiscard]] const Wear& wear() const { return *contact_.wear(); }
+  [[nodiscard]] const Wear& wear() const { return *contact_.effect<Wear>(); }
 
 private:
   SurfaceGrid grid_;
@@ -97,7 +97,8 @@ TEST(UserWear, RefusesWhatIsNoIntensity)
 // Between the sampled pressures: noticed where it is used, with the state before the increment.
 TEST(UserWear, RefusesAnIntensityInARun)
 {
-  Pair pair({.wear = law(1e-13, 0.0, [](double p, double) { return p > 1.1e8 && p < 0.9e9 ? -p : p; })}, 6);
+  Pair pair({.effects = {.wear = law(1e-13, 0.0, [](double p, double) { return p > 1.1e8 && p < 0.9e9 ? -p : p; })}},
+            6);
   ASSERT_TRUE(pair.advance(0.0).converged);
   const std::vector<double> before(pair.contact().pressure().begin(), pair.contact().pressure().end());
   EXPECT_THROW(static_cast<void>(pair.advance(1e-6)), InputError);
@@ -132,9 +133,9 @@ TEST(UserWear, GivesTheLawsOfTheListAgain)
   {
     const WearLaw listed{.lower = 2e-13, .upper = 1e-13, .kind = c.kind};
     const WearLaw given = law(2e-13, 1e-13, [&](double p, double q) { return c.kind == Kind::archard ? p : q; });
-    Sliding sliding{.friction = {.coefficient = c.friction}, .sticks = c.sticks, .wear = listed};
+    Sliding sliding{.friction = {.coefficient = c.friction}, .sticks = c.sticks, .effects = {.wear = listed}};
     Pair expected(sliding, 6);
-    sliding.wear = given;
+    sliding.effects.wear = given;
     Pair found(sliding, 6);
     for (int step = 0; step < 4; ++step)
     {
@@ -157,7 +158,7 @@ TEST(UserWear, OfTheSquareOfHertzPressure)
   std::vector<double> errors;
   for (const int cells : {8, 16, 32})
   {
-    Pair pair({.wear = law(coefficient, 3.0 * coefficient, square)}, cells);
+    Pair pair({.effects = {.wear = law(coefficient, 3.0 * coefficient, square)}}, cells);
     ASSERT_TRUE(pair.advance(0.0).converged);
     ASSERT_TRUE(pair.advance(way).converged);
     const std::span<const double> p = pair.contact().pressure();
@@ -181,7 +182,7 @@ double depth_of_scar(int steps)
   const double per_area = load / (2.0 * std::numbers::pi * radius);
   const double coefficient = std::pow(depth, 3) * peak_pressure() / (3.0 * per_area * per_area * way);
   const double stiff = 0.75 * load * radius / std::pow(scar / final_ratio, 3);
-  Pair pair({.wear = law(0.0, coefficient, square)}, 8, scar, stiff);
+  Pair pair({.effects = {.wear = law(0.0, coefficient, square)}}, 8, scar, stiff);
   EXPECT_TRUE(pair.advance(0.0).converged);
   for (int step = 1; step <= steps; ++step) // by equal parts of the depth
     EXPECT_TRUE(pair.advance(way * (std::pow(step, 3) - std::pow(step - 1, 3)) / std::pow(steps, 3)).converged) << step;
