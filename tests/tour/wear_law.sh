@@ -16,7 +16,7 @@ patch --strip=0 --forward --no-backup-if-mismatch <"$source/docs/developer/wear-
 
 flags=(-std=c++20 -fopenmp -Wall -Wextra -Werror -I include -I src -I tests/support)
 for folder in "$@"; do
-  flags+=(-isystem "$folder")
+  flags+=(-idirafter "$folder") # not -isystem, which breaks the order of the compiler if it is one of its own
 done
 touched=$(sed -n 's/^+++ \([^ ]*\).*/\1/p' "$source/docs/developer/wear-law.patch")
 for file in $(grep '\.cpp$' <<<"$touched"); do
