@@ -15,10 +15,11 @@ import pytest
 from brinell.plot.energy import sinks_of
 from brinell.report import findings, volumes, write_report
 from brinell.report.cli import report
-from brinell.report.inputs import UNITS, inputs_of
+from brinell.report.inputs import inputs_of
 from brinell.report.numbers import energies_of, key_numbers
 from brinell.report.text import number, quantity
 from brinell.results import History, Run, open_run
+from brinell.results.key_units import UNITS, key_unit
 
 MakeRun = Callable[..., Path]
 CASE_FILE = Path(__file__).parents[2] / "docs" / "reference" / "case-file.md"
@@ -166,6 +167,24 @@ def test_each_key_of_a_case_has_its_unit() -> None:
             told[key.strip("| `").split(".")[-1]] = unit.replace("^2", "²").replace("^3", "³").replace("degC", "°C")
     assert len(told) > 25
     assert dict(UNITS) == told
+
+
+@pytest.mark.parametrize(
+    ("key", "case", "unit"),
+    [
+        ("lower.material.hardening.offset", None, ""),  # a strain; that of a tugging is a length
+        ("thermal.source.flux", None, "W/m²"),
+        ("lower.texture[0].depth", None, "m"),
+        ("indentation.load.2", None, "N"),
+        ("indentation.load", {"indentation.normalised": True}, ""),
+        ("tugging.interference", None, ""),  # in critical interferences
+        ("tugging.interference", {"tugging.normalised": False}, "m"),
+        ("lower.texture[1].radius", None, "m"),  # of dents of an earlier version
+        ("grid.no_such_key", None, ""),
+    ],
+)
+def test_units_are_those_of_whole_keys(key: str, case: dict[str, Any] | None, unit: str) -> None:
+    assert key_unit(key, case) == unit
 
 
 def test_inputs_have_units(make_rolling: MakeRun) -> None:

@@ -126,7 +126,7 @@ def test_report(runs: list[Run], folder: Path, tmp_path: Path) -> None:
     assert f"<h1>{shown}</h1>" in text
     assert f"<title>{shown} – brinell</title>" in text
     assert f"<code>{shown}</code>" in text
-    (file,) = inputs._flattened({"file": "F_n a_b"}, "texture.")
+    (file,) = inputs._flattened({"file": "F_n a_b"}, "lower", "texture.")
     assert (file.value, file.is_text) == ("F_n a_b", True)  # no symbols in names
 
 

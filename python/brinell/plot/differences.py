@@ -9,41 +9,14 @@ from typing import Any
 from brinell._toml import tomllib
 from brinell.plot import style
 from brinell.results import Run, RunError
+from brinell.results.key_units import WITHOUT_PREFIX, key_unit
 
-__all__ = ["differences", "flat_case", "labels_by_difference", "told", "unit_of"]
+__all__ = ["case_of", "differences", "flat_case", "labels_by_difference", "told"]
 
 _MOST_TOLD = 3
 
 _NO_MATTER = ("title", "output.")
 """Keys that change no result."""
-
-_UNITS = {
-    "load": "N",
-    "force": "N",
-    "pressure": "Pa",
-    "hertz_pressure": "Pa",
-    "approach": "m",
-    "displacement": "m",
-    "mean_gap": "m",
-    "radius": "m",
-    "radius_x": "m",
-    "radius_y": "m",
-    "depth": "m",
-    "amplitude": "m",
-    "rms_height": "m",
-    "spacing": "m",
-    "shift": "m",
-    "distance": "m",
-    "young_modulus": "Pa",
-    "yield_stress": "Pa",
-    "coefficient": "Pa",
-    "saturation": "Pa",
-    "modulus": "Pa",
-    "shear_limit": "Pa",
-    "speed": "m/s",
-    "spin": "rad/m",
-}
-"""Of keys that are likely to vary between runs."""
 
 
 def flat_case(case: Mapping[str, Any], before: str = "") -> list[tuple[str, Any]]:
@@ -60,8 +33,13 @@ def flat_case(case: Mapping[str, Any], before: str = "") -> list[tuple[str, Any]
     return found
 
 
-def told(key: str, value: Any) -> str:
+def told(key: str, value: Any, case: Mapping[str, Any] | None = None) -> str:
     """A key of a case with its value, as the name of a curve.
+
+    Args:
+        key: the dotted key.
+        value: its value.
+        case: the case by dotted keys, which says whether the value is relative to first yield; None: as by default.
 
     >>> told("interface.friction", 0.3), told("rolling.load", 1000.0), told("indentation.load", (10.0, 0.0))
     ('friction 0.3', 'load 1 kN', 'load 10 N, 0')
@@ -69,17 +47,20 @@ def told(key: str, value: Any) -> str:
     name = key.rpartition(".")[2]
     body = f"{key.partition('.')[0]} " if key.startswith(("lower.", "upper.")) else ""
     values = value if isinstance(value, tuple) else (value,)
-    text = ", ".join(_value(one, _UNITS.get(name)) for one in values[:_MOST_TOLD])
+    unit = key_unit(key, case)
+    text = ", ".join(_value(one, unit) for one in values[:_MOST_TOLD])
     return f"{body}{name.replace('_', ' ')} {text}{', ...' if len(values) > _MOST_TOLD else ''}"
 
 
-def _value(value: Any, unit: str | None) -> str:
+def _value(value: Any, unit: str) -> str:
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return str(value).lower() if isinstance(value, bool) else style.as_written(str(value))
+    if unit in WITHOUT_PREFIX:
+        return f"{style.number(value)} {unit}"
     return style.quantity(value, unit) if unit and value else style.number(value)
 
 
-def _case_of(run: Run) -> dict[str, Any]:
+def case_of(run: Run) -> dict[str, Any]:
     """The case of a run by dotted keys; empty if the run has not written it yet."""
     if isinstance(case := (run.summary or {}).get("case"), Mapping):
         return dict(flat_case(case))
@@ -89,14 +70,9 @@ def _case_of(run: Run) -> dict[str, Any]:
         return {}
 
 
-def unit_of(key: str) -> str:
-    """SI unit of a key of a case; empty if it has none, or is not known here."""
-    return _UNITS.get(key.rpartition(".")[2], "")
-
-
 def differences(runs: Sequence[Run]) -> dict[str, list[Any]]:
     """Values of the keys that differ between the cases of the runs, one per run; None where a case has no such key."""
-    cases = [_case_of(run) for run in runs]
+    cases = [case_of(run) for run in runs]
     keys = [key for key in dict.fromkeys(key for case in cases for key in case) if not key.startswith(_NO_MATTER)]
     return {
         key: [case.get(key) for case in cases]
@@ -111,7 +87,7 @@ def labels_by_difference(runs: Sequence[Run]) -> list[str] | None:
     if not different or len(different) > _MOST_TOLD:
         return None
     labels = [
-        ",  ".join(told(key, values[i]) for key, values in different.items() if values[i] is not None)
-        for i in range(len(runs))
+        ",  ".join(told(key, values[i], case_of(run)) for key, values in different.items() if values[i] is not None)
+        for i, run in enumerate(runs)
     ]
     return labels if all(labels) and len(set(labels)) == len(labels) else None

@@ -13,10 +13,11 @@ from matplotlib.figure import Figure
 
 from brinell.errors import InputError
 from brinell.plot import style
-from brinell.plot.differences import differences, told, unit_of
+from brinell.plot.differences import case_of, differences, told
 from brinell.plot.overlay import legend_beside, looks, of_runs
-from brinell.plot.scales import si
+from brinell.plot.scales import Scale, si
 from brinell.results import Run
+from brinell.results.key_units import WITHOUT_PREFIX, key_unit
 from brinell.scenarios import SCENARIOS
 
 __all__ = ["KeyNumbers", "key_numbers_of", "sweep_numbers"]
@@ -71,13 +72,16 @@ def sweep_numbers(runs: Sequence[Run], over: str | None = None, *, ax: style.Tar
         return None
     over = over or min(numeric, key=lambda key: _rank(key, table.varied[key]))
     place = np.array([float(_first(value)) for value in table.varied[over]])
-    families = _families(table, over)
+    case = case_of(runs[0])
+    families = _families(table, over, case)
     names = list(shown)[:_MOST_PANELS]
     columns = min(3, len(names))
     rows = -(-len(names) // columns)
     fig = style.new_figure(3.6 * columns + 1.2 * (len(families) > 1), 2.7 * rows)
     axes = np.atleast_1d(fig.subplots(rows, columns, squeeze=False)).ravel()
-    scale = si(float(np.abs(place).max()), unit_of(over)) if unit_of(over) else None
+    scale = None
+    if unit := key_unit(over, case):
+        scale = Scale(1.0, "", unit) if unit in WITHOUT_PREFIX else si(float(np.abs(place).max()), unit)
     entries = looks(list(families))
     for panel, name in zip(axes, names, strict=False):
         _draw(panel, name, *shown[name], place / (scale.size if scale else 1.0), families, entries)
@@ -101,12 +105,12 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def _families(table: KeyNumbers, over: str) -> dict[str, list[int]]:
+def _families(table: KeyNumbers, over: str, case: Mapping[str, Any]) -> dict[str, list[int]]:
     """Rows of the runs of each curve, by its name."""
     found: dict[str, list[int]] = {}
     others = [key for key in table.varied if key != over]
     for i in range(len(table.index)):
-        name = ",  ".join(told(key, table.varied[key][i]) for key in others) or "runs"
+        name = ",  ".join(told(key, table.varied[key][i], case) for key in others) or "runs"
         found.setdefault(name, []).append(i)
     if len(found) > _MOST_CURVES:  # as of random points: no curves to tell apart
         return {"runs": list(range(len(table.index)))}

@@ -13,11 +13,12 @@ from markupsafe import Markup
 
 import brinell
 from brinell.plot import style
-from brinell.plot.differences import unit_of
+from brinell.plot.differences import case_of
 from brinell.plot.standard import Named
 from brinell.plot.sweeps import KeyNumbers, key_numbers_of, sweep_numbers
 from brinell.report.page import Shown, environment, shown
 from brinell.results import Run
+from brinell.results.key_units import key_unit
 from brinell.scenarios import SCENARIOS
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ def _content(sweep: Sweep, folder: Path) -> dict[str, Any]:
         "findings": _findings(sweep, len(runs)),
         "count": len(runs),
         "figures": _figures(runs),
-        "columns": ["run", *map(_heading, numbers.varied), *numbers.numbers, *own],
+        "columns": ["run", *(_heading(key, first) for key in numbers.varied), *numbers.numbers, *own],
         "rows": [_row(sweep, folder, numbers, i, own) for i in range(len(runs))],
         "style": Markup((files("brinell.report") / "templates" / "report.css").read_text(encoding="utf-8")),
         "tools": f"brinell {brinell.__version__}",
@@ -115,8 +116,8 @@ def _own_columns(sweep: Sweep) -> list[str]:
     return own_columns(sweep.table, dict(sweep.runs))
 
 
-def _heading(key: str) -> str:
-    unit = unit_of(key)
+def _heading(key: str, run: Run | None) -> str:
+    unit = key_unit(key, case_of(run) if run else None)
     return f"{key} [{unit}]" if unit else key
 
 
