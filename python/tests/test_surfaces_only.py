@@ -92,6 +92,17 @@ def test_histories_and_surfaces_have_the_same_digits(kind: Kind, tmp_path: Path)
             assert not WITHIN & set(part.field_names(body))  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("threads", [1, 2])
+def test_so_they_have_under_steady_heat(threads: int, tmp_path: Path) -> None:
+    kind = Kind("rolling", "elastic", "elastic", "open", "heat")
+
+    def run(name: str, threads: int, **fields: str) -> Run:
+        case = kind.case(output={"snapshots": "every 3", **fields}, thermal={"regime": "steady"})
+        return case.run(tmp_path / name, threads=threads)
+
+    assert_same_but_within(run("part", threads), run("whole", 1, fields="all"))
+
+
 @pytest.mark.parametrize("kind", KINDS[::7], ids=" ".join)
 def test_figures_reports_and_exports_do_without(kind: Kind, tmp_path: Path) -> None:
     run = run_of(kind, tmp_path / "run")
