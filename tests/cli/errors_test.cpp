@@ -156,7 +156,7 @@ TEST_F(Errors, OverridesNameThemselves)
 
 TEST_F(Errors, GridThatDoesNotFit)
 {
-  write("case.toml", quick_case);
+  write("case.toml", std::string(quick_case) + "[output]\nfields = \"all\"\n"); // elastic: else there is one layer
   expect_refused({"check", "case.toml", "--set", "grid.spacing=[1e-4, 1e-4, 2e-5]"},
                  {"grid.spacing = [0.0001, 0.0001, 2e-05]", "memory"});
   expect_refused({"check", "case.toml", "--set", "grid.spacing=[1e-5, 1e-5, 1e-5]"},

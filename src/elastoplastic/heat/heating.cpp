@@ -292,8 +292,11 @@ void Heating::exchange(Archive& archive)
 {
   State& s = *state_;
   const std::array<Partner, 2> before = s.plan.bodies;
+  const int layers_before = s.plan.run.layers;
   exchange_grids(archive, s.plan.bodies);
-  if (s.plan.bodies[0].grid != before[0].grid || s.plan.bodies[1].grid != before[1].grid)
+  archive("layers", s.plan.run.layers, 0, 1 << 20);
+  if (s.plan.bodies[0].grid != before[0].grid || s.plan.bodies[1].grid != before[1].grid ||
+      s.plan.run.layers != layers_before)
   {
     s.sides = sides_of(s.contact, s.plan);
     s.cached_responses.clear();
