@@ -8,6 +8,25 @@ import numpy
 from numpy.typing import NDArray
 
 
+class Forecast:
+    @property
+    def seconds(self) -> float: ...
+
+    @property
+    def shortest(self) -> float: ...
+
+    @property
+    def longest(self) -> float: ...
+
+    @property
+    def evaluations(self) -> float: ...
+
+    @property
+    def memory(self) -> float: ...
+
+    @property
+    def text(self) -> str: ...
+
 class OptionInfo:
     @property
     def flags(self) -> list[str]: ...
@@ -68,25 +87,6 @@ class Mode(enum.Enum):
     keep = 1
 
     resume = 2
-
-class Forecast:
-    @property
-    def seconds(self) -> float: ...
-
-    @property
-    def shortest(self) -> float: ...
-
-    @property
-    def longest(self) -> float: ...
-
-    @property
-    def evaluations(self) -> float: ...
-
-    @property
-    def memory(self) -> float: ...
-
-    @property
-    def text(self) -> str: ...
 
 class Case:
     @property
