@@ -65,9 +65,9 @@ catch (const InputError& error)
 /// Tells time and memory of a run that is long or large.
 void print_forecast(const io::Case& c, const io::ScenarioPlan& plan)
 {
-  constexpr double is_long = 20.0, is_large = 1e9; // [s], [bytes]
+  constexpr double is_long = 10.0, is_large = 1e9; // [s], [bytes]
   const io::Forecast forecast = io::forecast(c, plan);
-  if (forecast.longest > is_long || forecast.memory > is_large)
+  if (forecast.seconds > is_long || forecast.memory > is_large)
     fmt::print(stderr, "brinell: {}{}\n", io::forecast_text(forecast),
                c.accuracy ? ", for the run with the given cells alone" : "");
 }

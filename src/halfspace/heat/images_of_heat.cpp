@@ -90,9 +90,9 @@ double layers_of_heat(const HeatedLayers& heated, double deepest, int together)
 } // namespace
 
 double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                      const WantedOfHeat& wanted)
+                      const WantedOfHeat& wanted, bool goes_back)
 {
-  constexpr double copies = 2.0;    // now and before the step
+  const double copies = goes_back ? 2.0 : 1.0;
   constexpr double of_layers = 3.0; // temperature, and amplitudes now and before the step
   const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted.deepest);
   const auto lattice = [&](int px, int py, const DepthWaves& kept, double layers)

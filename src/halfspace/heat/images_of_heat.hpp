@@ -43,8 +43,9 @@ struct WantedOfHeat
 [[nodiscard]] DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
                                        const HeatTimes& times, double deepest);
 
-/// Memory of an OpenHeatMemory [bytes], with what is kept to take a step back.
+/// Memory of an OpenHeatMemory [bytes].
+/// @param goes_back  with the state before a step, to take the step back
 [[nodiscard]] double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                                    const WantedOfHeat& wanted);
+                                    const WantedOfHeat& wanted, bool goes_back);
 
 } // namespace brinell::halfspace

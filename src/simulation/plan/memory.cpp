@@ -145,7 +145,8 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
   const double kept = halfspace::memory_of_heat(
       grid.surface, *material.thermal, plan.heat_times,
       {deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, plan.symmetry,
-       of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}});
+       of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}},
+      material.is_plastic());
   const PaddedLengths padded = padded_lengths(grid.surface);
   const double field = sizeof(double) * padded.x * padded.y;
   const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;
