@@ -23,8 +23,8 @@ public:
              double diffusivity);
 
   /// A step: the heat of earlier steps spreads, and new heat is generated at a constant rate.
-  /// @param rise  spectra of the temperature rise of the layers if they retained all of the new heat [K], one each; empty ones are
-  ///              zero
+  /// @param rise  spectra of the temperature rise of the layers if they retained all of the new heat [K], one each;
+  ///              empty ones are zero
   void take_up(const std::vector<AlignedVector<Complex>>& rise, double duration);
   /// Restores the state before the last step.
   void go_back();

@@ -42,8 +42,9 @@ double body_bytes(const VolumeGrid& grid, const constitutive::Material& material
   return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
 }
 
-/// The longest window of a body: its operators, the stress in it, and the changes of strain and stress. Its length follows from an
-/// estimate: contact and flow of a step reach over about two thirds of the grid of the contact (measured).
+/// The longest window of a body: its operators, the stress in it, and the changes of strain and stress. Its length
+/// follows from an estimate: contact and flow of a step reach over about two thirds of the grid of the contact
+/// (measured).
 double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material,
                     const elastoplastic::Settings& solver, int shears)
 {
