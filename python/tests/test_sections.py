@@ -143,8 +143,7 @@ def test_a_plane_beside_the_contact_has_no_line_of_contact(make_run: MakeRun) ->
     run = open_run(make_run(9.0))
     snapshot = run.snapshot("aligned")
     fig = section(run, snapshot, plane=("y", float(snapshot.lower.y[-1])))
-    start, end = np.asarray(curve(fig.axes[0], "contact").get_xdata())
-    assert start == end
+    assert np.asarray(curve(fig.axes[0], "contact").get_xdata()).size == 0
     texts(fig)
 
 

@@ -14,6 +14,8 @@ import brinell
 from brinell import plot
 from brinell.plot import standard_figures
 from brinell.plot.cli import plot as command
+from brinell.plot.cuts import Cut, round_contact
+from brinell.plot.states import Side
 from brinell.plot.where import cutting_of
 from figure_parts import curve, overlaps, texts
 
@@ -133,3 +135,32 @@ def test_surfaces_of_a_period_are_drawn_whole_and_to_scale(rough: brinell.Run) -
     section = plot.section(rough, "final")
     np.testing.assert_allclose(section.axes[0].get_xlim(), edges)
     assert profile.get_xlim() == chart.get_xlim()
+
+
+def test_a_section_shows_each_piece_of_a_rough_contact(rough: brinell.Run) -> None:
+    contact = rough.snapshot("aligned").contact
+    beginnings = np.count_nonzero(np.diff((contact.pressure > 0.0).astype(int), axis=1) > 0, axis=1)
+    row = int(np.argmax(beginnings))
+    fig = plot.section(rough, "aligned", plane=("y", float(contact.y[row])))
+    ends = 1e-6 * np.asarray(curve(fig.axes[0], "contact").get_xdata())
+    touching = contact.pressure[row] > 0.0
+    pieces = np.count_nonzero(np.diff(touching.astype(int), prepend=0) > 0)
+    assert pieces > 1
+    assert np.count_nonzero(np.isnan(ends)) == pieces - 1
+    for x in contact.x[touching]:
+        assert any(start <= x <= end for start, end in zip(ends[::3], ends[1::3], strict=True))
+    for x in contact.x[~touching]:
+        assert not any(start < x < end for start, end in zip(ends[::3], ends[1::3], strict=True))
+
+
+def test_a_period_is_turned_round_to_the_contact() -> None:
+    across = np.array([-0.5, 0.5, 1.5, 2.5]) + 1.2
+    values = np.arange(8.0).reshape(2, 4)
+    side = both_sides_of_nothing()
+    turned = round_contact(Cut(side, across, np.array([-0.5, -1.5]), values))
+    np.testing.assert_allclose(turned.across, [-1.3, -0.3, 0.7, 1.7])
+    np.testing.assert_array_equal(turned.values, np.roll(values, 2, axis=1))
+
+
+def both_sides_of_nothing() -> Side:
+    return Side("lower body", None, "", "-", -1.0)  # type: ignore[arg-type]

@@ -17,9 +17,9 @@ namespace brinell
 /// Fourier transforms of `lane_count` complex series of one length side by side, one in each lane.
 ///
 /// Stockham's self-sorting algorithm with radices up to 13. The lanes do not interact, so every instruction works on whole
-/// vectors; the padding is not read, and only the wanted values are written. A length with a larger prime factor is computed as a convolution with a
-/// chirp (Bluestein 1970). Planned once; every function is const and may be called from several threads, each with its own
-/// buffer.
+/// vectors; the padding is not read, and only the wanted values are written. A length with a larger prime factor is
+/// computed as a convolution with a chirp (Bluestein 1970). Planned once; every function is const and may be called
+/// from several threads, each with its own buffer.
 class LaneFft
 {
 public:

@@ -9,8 +9,8 @@
 namespace brinell
 {
 
-/// A square of values, for example `lane_count` rows at as many neighbouring positions. Loops over a tile are unrolled, so that it
-/// stays in registers.
+/// A square of values, for example `lane_count` rows at as many neighbouring positions. Loops over a tile are unrolled,
+/// so that it stays in registers.
 using Tile = std::array<Lanes, lane_count>;
 
 /// Step of a recursive transposition: exchanges the off-diagonal squares of `size` in each diagonal square of 2 * `size`.

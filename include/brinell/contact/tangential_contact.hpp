@@ -78,10 +78,10 @@ class CoarserTangential;
 
 /// Stick and slip under a given bound g of the shear, by conjugate gradients on the discs |q| <= g of all cells.
 ///
-/// Finds q with |q| <= g, the slip s = shift - change - A (q - q_before) - entry q of body 2 over body 1 in the step, s = 0 where |q| < g,
-/// and s along q where |q| = g, with A the displacement of body 1 minus that of body 2 by shears: docs/theory/contact.md
-/// (stick-slip). This is the minimum of a convex function, so the solution of every step is unique, up to shears that cause no
-/// displacement.
+/// Finds q with |q| <= g, the slip s = shift - change - A (q - q_before) - entry q of body 2 over body 1 in the step,
+/// s = 0 where |q| < g, and s along q where |q| = g, with A the displacement of body 1 minus that of body 2 by shears:
+/// docs/theory/contact.md (stick-slip). This is the minimum of a convex function, so the solution of every step is
+/// unique, up to shears that cause no displacement.
 class TangentialContact
 {
 public:

@@ -169,8 +169,8 @@ public:
     Deviator deviator;
     double trace = 0.0;
   };
-  /// Stress in some cells, as by `full_stress` up to rounding. Increments between two calls with the same cells keep what the second
-  /// one needs, so that it costs next to nothing.
+  /// Stress in some cells, as by `full_stress` up to rounding. Increments between two calls with the same cells keep
+  /// what the second one needs, so that it costs next to nothing.
   [[nodiscard]] std::vector<CellStress> stress_at(std::span<const std::size_t> cells,
                                                   const halfspace::SurfaceLoad& load);
   /// Locked-in elastic energy plus dissipation [J], of the present trial for the load of the last update, or of the last
@@ -282,8 +282,8 @@ private:
   int shift_ = 0;                                     ///< by which the contact moves in the increment [cells]
   std::array<std::vector<double>, 3> committed_load_; ///< of the state; with a window
 
-  /// Cells that `stress_at` has been asked for, and the trace of their stress in the last evaluation of all cells [Pa], without the
-  /// initial stress.
+  /// Cells that `stress_at` has been asked for, and the trace of their stress in the last evaluation of all cells [Pa],
+  /// without the initial stress.
   std::vector<std::size_t> watched_;
   std::vector<double> watched_trace_;
   bool knows_watched_traces_ = false; ///< whether it is that of the present trial

@@ -75,8 +75,8 @@ struct HeatNumerics
   bool along_surface = false;         ///< whether the thermal displacement along the surface is needed: partial slip
 };
 
-/// Heat of friction, of plastic work and from outside in two bodies: its partition, the temperatures, and the thermal displacement of the
-/// surfaces and thermal stress that follow. It takes part in each increment like an `Interface`.
+/// Heat of friction, of plastic work and from outside in two bodies: its partition, the temperatures, and the thermal
+/// displacement of the surfaces and thermal stress that follow. It takes part in each increment like an `Interface`.
 ///
 /// A rigid body without thermal constants neither conducts nor expands. The heat of each body is kept on a separate grid, at rest
 /// on the body and somewhat wider than its material grid at the start of the run; the thermal grid never grows.

@@ -98,9 +98,9 @@ struct Strategy
   bool returns = false; ///< includes the way back of the contact to its start: no heat from a HeatSource
   /// Distances that the contact moves over the lower and the upper body in the increment [m]. Placements follow by whole columns.
   std::array<double, 2> moved{};
-  /// Of surfaces that slide everywhere: the share of the full friction at the end of an increment in which friction is raised before
-  /// the surfaces move, from -1, the friction of the opposite direction, to 1; none: the surfaces move under full friction. The
-  /// work of the shear in increments at rest counts as heat of the next increment that moves.
+  /// Of surfaces that slide everywhere: the share of the full friction at the end of an increment in which friction is
+  /// raised before the surfaces move, from -1, the friction of the opposite direction, to 1; none: the surfaces move
+  /// under full friction. The work of the shear in increments at rest counts as heat of the next increment that moves.
   std::optional<double> share_at_rest{};
 };
 

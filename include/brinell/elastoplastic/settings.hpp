@@ -27,8 +27,9 @@ struct Settings
   /// the evaluation that ends the increment computes all layers, and finds every cell that yields. false: all layers
   /// in every evaluation, every cell active.
   bool shortcuts = true;
-  /// With short cuts, on a body longer than what an increment changes: until the increment is nearly solved, compute only the columns of
-  /// the active cells and of the load; the evaluation that ends the increment computes all cells. false: all columns.
+  /// With short cuts, on a body longer than what an increment changes: until the increment is nearly solved, compute
+  /// only the columns of the active cells and of the load; the evaluation that ends the increment computes all cells.
+  /// false: all columns.
   bool windows = true;
   /// Where sliding begins or reverses, friction is raised before the surfaces move, in as many increments as it grows by parts of
   /// the shear yield stress, this number of parts being the whole of it. 0: in one increment together with the first motion.

@@ -42,12 +42,12 @@ public:
   [[nodiscard]] std::span<const double> shear() const { return state_.shear; } ///< along x [Pa]
   /// Sum of the shear on the lower body [N].
   [[nodiscard]] double force() const;
-  /// Force along x on the lower body of the shear with which the surfaces slid at the beginning of the current or last increment [N].
-  /// It opposes the motion of this increment: at a reversal, it has changed its sign before the surfaces move; surfaces that begin
-  /// to slide have the full shear of their pressure.
+  /// Force along x on the lower body of the shear with which the surfaces slid at the beginning of the current or last
+  /// increment [N]. It opposes the motion of this increment: at a reversal, it has changed its sign before the surfaces
+  /// move; surfaces that begin to slide have the full shear of their pressure.
   [[nodiscard]] double force_at_start() const;
-  /// Share of the full friction that acts now, for surfaces that are driven along `along`: 1 where they slide this way already, -1
-  /// where they slide the other way, 0 without shear.
+  /// Share of the full friction that acts now, for surfaces that are driven along `along`: 1 where they slide this way
+  /// already, -1 where they slide the other way, 0 without shear.
   [[nodiscard]] double share_of(const contact::TangentialDrive& along) const;
   /// Adds the elastic normal displacement of each surface under the shear of the last increment, positive into the body [m].
   void add_depth(std::span<double> lower, std::span<double> upper) const;

@@ -95,8 +95,8 @@ public:
   /// Fields in the layers `first`, `first + 1`, ..., at less cost than one by one. All elements of `out` must have the same
   /// parts.
   void layers(std::size_t first, std::span<const ThermalLayer> out, double duration = 0.0) const;
-  /// Fields of a body at the end of the last step; its layers are those of `depths` from `first` on. Each component has all layers
-  /// one after the other.
+  /// Fields of a body at the end of the last step; its layers are those of `depths` from `first` on. Each component has
+  /// all layers one after the other.
   /// @param body  its surface must be cells in the middle of the grid: `holds`
   void in_body(const VolumeGrid& body, const ThermalLayer& out, std::size_t first = 0) const;
   /// Whether the cells of another surface are cells of this grid, centred on its middle.

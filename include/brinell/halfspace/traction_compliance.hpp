@@ -38,8 +38,8 @@ public:
   /// Whether a pressure causes displacements along the surface and a shear causes displacements along z, as it is for elastically
   /// dissimilar bodies (Dundurs).
   [[nodiscard]] bool couples() const;
-  /// Displacement across the plane of a plane problem by shear across it, over the displacement in the plane by shear in it, in the
-  /// limit of short waves: sum of 1/mu over sum of (1 - nu)/mu of both bodies.
+  /// Displacement across the plane of a plane problem by shear across it, over the displacement in the plane by shear
+  /// in it, in the limit of short waves: sum of 1/mu over sum of (1 - nu)/mu of both bodies.
   [[nodiscard]] double along_over_across() const;
   /// The displacement [m]; parts of the load and of the displacement that are empty cost nothing.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;

@@ -94,8 +94,8 @@ struct HardeningCurve
 [[nodiscard]] HardeningCurve hardening_curve(const Curve& measured, const CurveRules& rules);
 
 /// Reads a text file with one point per line, strain and stress. Title lines may precede the points. Lines that begin with # are
-/// comments; columns are separated by blanks, tabs, semicolons or commas; a comma is a decimal comma if the columns are separated by
-/// something else.
+/// comments; columns are separated by blanks, tabs, semicolons or commas; a comma is a decimal comma if the columns are
+/// separated by something else.
 /// @param strain_unit  "1" or "%"
 /// @param stress_unit  such as "MPa"
 /// @param kind  what the strains are, for the message that says what is allowed

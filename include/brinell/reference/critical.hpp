@@ -16,8 +16,8 @@ struct CriticalValues
   double peak_pressure = 0.0;  ///< p0_c = C S_y [Pa]
 };
 
-/// C(nu) = 1.30075 + 0.87825 nu + 0.54373 nu^2 (Green 2005; paper Eq. 27), within 0.15 %. For nu < 0, where the fit does not hold,
-/// the exact value: on the axis, or below nu = -0.31 at the edge of the contact.
+/// C(nu) = 1.30075 + 0.87825 nu + 0.54373 nu^2 (Green 2005; paper Eq. 27), within 0.15 %. For nu < 0, where the fit
+/// does not hold, the exact value: on the axis, or below nu = -0.31 at the edge of the contact.
 [[nodiscard]] double critical_pressure_ratio(double poisson_ratio);
 
 /// Critical values of spheres for equivalent radius [m], contact modulus E' [Pa] and C S_y [Pa] of the body that yields first

@@ -36,7 +36,8 @@ struct Convergence
 [[nodiscard]] Convergence convergence(std::span<const double> cells, std::span<const double> values, double scale,
                                       double known_error = 0.0, double known_order = 2.0);
 
-/// Multiplies the cell sizes of a case by a factor. The length of a cylinder stays an odd number of cells, a period a whole number.
+/// Multiplies the cell sizes of a case by a factor. The length of a cylinder stays an odd number of cells, a period a
+/// whole number.
 /// @throws GridError if a period has so few cells that two sizes of a series would be the same
 void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, double size);
 

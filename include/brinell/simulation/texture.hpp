@@ -21,7 +21,8 @@ namespace brinell::simulation
 
 /// A round dent with a shoulder, depth * 10^(-10 (r/w)^2) cos(2 pi r/w) with w = 4 edge_radius, as often used for rolling over
 /// dents (Lubrecht, Venner; Ville and Nelias 1999). It crosses the undisturbed surface at the edge radius, has half of its depth
-/// at half of that radius, and the crest of its shoulder, 4 % of the depth high, at 1.26 times that radius. Negative depth: a bump.
+/// at half of that radius, and the crest of its shoulder, 4 % of the depth high, at 1.26 times that radius. Negative
+/// depth: a bump.
 struct Dent
 {
   double x = 0.0, y = 0.0;  ///< centre on the body's surface [m]
@@ -46,8 +47,8 @@ struct HeightMap
 /// Root mean square of the slopes between neighbouring points; 0 without neighbours.
 [[nodiscard]] double rms_slope(const HeightMap& map);
 
-/// The shortest wavelengths along x and y that carry more than 2 % of the mean square curvature [m], at least two points; so noise
-/// far below the roughness does not count. Infinite where the map is straight.
+/// The shortest wavelengths along x and y that carry more than 2 % of the mean square curvature [m], at least two
+/// points; so noise far below the roughness does not count. Infinite where the map is straight.
 [[nodiscard]] std::array<double, 2> shortest_waves(const HeightMap& map);
 
 /// Waves on the whole surface: the height amplitude * cos(2 pi (X - x)/wavelength_x) cos(2 pi (Y - y)/wavelength_y) at (X, Y).

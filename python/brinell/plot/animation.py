@@ -19,7 +19,7 @@ from brinell.plot.planes import Plane, plane_of
 from brinell.plot.pressure import animate_pressure
 from brinell.plot.quantities import Quantity, needs_tensors, quantity_of
 from brinell.plot.scales import Scales
-from brinell.plot.sections import across_label, draw_contact, draw_panel, upright_axes
+from brinell.plot.sections import across_label, broken_line, draw_contact, draw_panel, upright_axes
 from brinell.plot.states import Bodies, Follow, Side, chosen_sides, state_title, stored_in_pass
 from brinell.plot.where import cutting_of
 from brinell.results import Run, RunError, Snapshot
@@ -38,8 +38,8 @@ class _Frame:
     title: str
     cuts: dict[str, Cut]
     """By name of the body."""
-    touched: tuple[float, float]
-    """Where the bodies touch [m]; twice the same if they do not."""
+    touched: list[tuple[float, float]]
+    """First and last place of each piece of the contact [m]."""
     window: Window
 
 
@@ -126,10 +126,10 @@ def _frame(
     shift = sides[0].body.contact_x if on_body else 0.0  # of the contact's frame
     seen = replace(plane, value=plane.value - shift) if plane.axis == "x" else plane
     window = window_of(snapshot, sides, seen, lambda side: side.body.contact_x)
-    touched = contact_on(snapshot.contact, seen) if snapshot.in_contact else (0.0, 0.0)
+    touched = contact_on(snapshot.contact, seen) if snapshot.in_contact else []
     if plane.axis == "y":
         window = replace(window, across=(window.across[0] + shift, window.across[1] + shift))
-        touched = (touched[0] + shift, touched[1] + shift)
+        touched = [(start + shift, end + shift) for start, end in touched]
     cuts = {cut.side.name: cut for cut in found if cut is not None}
     return _Frame(state_title(run, snapshot), cuts, touched, window)
 
@@ -176,8 +176,7 @@ def _animation(
             image.set_extent(extent(now.across, now.upward, length.size))
         ax.set_xlim(*(edge / length.size for edge in window.across))  # which a new extent has moved
         ax.set_ylim(*(edge / length.size for edge in window.upward))
-        contact.set_xdata([end / length.size for end in frame.touched])
-        contact.set_visible(frame.touched[0] < frame.touched[1])
+        contact.set_data(*broken_line(frame.touched, length.size))
         title.set_text(f"Plane {place}:  {frame.title}")
         return [*images, contact, title]
 

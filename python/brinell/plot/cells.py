@@ -17,6 +17,7 @@ __all__ = [
     "at_centre",
     "contact_edge",
     "contact_patch",
+    "contact_pieces",
     "contact_span",
     "draw_cells",
     "extent",
@@ -57,12 +58,24 @@ def contact_span(contact: ContactFields, along: Literal["x", "y"] = "x", at: flo
         along: direction of the line.
         at: the other coordinate of the line [m].
     """
+    pieces = contact_pieces(contact, along, at)
+    return (pieces[0][0], pieces[-1][1]) if pieces else (0.0, 0.0)
+
+
+def contact_pieces(
+    contact: ContactFields, along: Literal["x", "y"] = "x", at: float = 0.0
+) -> list[tuple[float, float]]:
+    """First and last place of each piece of the contact on a line [m]; rough surfaces touch in several.
+
+    Args:
+        contact: where.
+        along: direction of the line.
+        at: the other coordinate of the line [m].
+    """
     edge = contact_edge(contact)
     x, others, table = (contact.x, contact.y, edge.T) if along == "x" else (contact.y, contact.x, edge)
     line = np.array([np.interp(at, others, values) for values in table])
     inside = np.flatnonzero(line > 0.0)
-    if inside.size == 0:
-        return 0.0, 0.0
 
     def crossing(i: int, j: int) -> float:
         if not 0 <= j < len(line):
@@ -70,8 +83,8 @@ def contact_span(contact: ContactFields, along: Literal["x", "y"] = "x", at: flo
         t = line[i] / (line[i] - line[j])
         return float(x[i] + t * (x[j] - x[i]))
 
-    first, last = int(inside[0]), int(inside[-1])
-    return crossing(first, first - 1), crossing(last, last + 1)
+    runs = np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1)
+    return [(crossing(run[0], run[0] - 1), crossing(run[-1], run[-1] + 1)) for run in runs if run.size]
 
 
 def contact_patch(contact: ContactFields, scale: float) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from matplotlib.colors import Normalize
 from numpy.typing import NDArray
 
-from brinell.plot.cells import contact_edge, contact_span, extent
+from brinell.plot.cells import contact_edge, contact_pieces, extent
 from brinell.plot.planes import Plane, on_plane
 from brinell.plot.quantities import QUANTITIES, Quantity
 from brinell.plot.scales import Scales
@@ -27,6 +27,7 @@ __all__ = [
     "from_contact",
     "has_section",
     "panel_of",
+    "round_contact",
     "usual_quantities",
     "window_of",
 ]
@@ -76,6 +77,12 @@ class Window:
         """Ratio of height to width."""
         return (self.upward[1] - self.upward[0]) / (self.across[1] - self.across[0])
 
+    def within(self, panels: Sequence[Panel]) -> Window:
+        """The window as far as there are cells."""
+        edges = [extent(cut.across, np.abs(cut.upward), 1.0)[:2] for panel in panels for cut in panel.cuts]
+        low, high = min(left for left, _ in edges), max(right for _, right in edges)
+        return replace(self, across=(max(self.across[0], low), min(self.across[1], high)))
+
 
 def from_contact(snapshot: Snapshot) -> Origin:
     """Whether x is counted from the centre of contact; after contact, from the origin of each body."""
@@ -94,6 +101,15 @@ def cut_of(side: Side, quantity: Quantity, plane: Plane, origin: Origin) -> Cut 
     across = coordinates["y" if plane.axis == "x" else "x"]
     upward = body.y if plane.axis == "z" else side.up * body.z
     return Cut(side, across, upward, on)
+
+
+def round_contact(cut: Cut) -> Cut:
+    """A cut of a period along x, turned round so that it has the centre of contact in the middle."""
+    step = float(cut.across[1] - cut.across[0]) if cut.across.size > 1 else 1.0
+    period = step * cut.across.size
+    places = (cut.across + 0.5 * period) % period - 0.5 * period
+    order = np.argsort(places)
+    return replace(cut, across=places[order], values=cut.values[:, order])
 
 
 def usual_quantities(bodies: Sequence[Side]) -> list[Quantity]:
@@ -144,9 +160,9 @@ def panel_over(scales: Scales, quantity: Quantity, title: str, cuts: list[Cut], 
     return Panel(title, scale.label("", quantity.symbol), colour_map, norm, scale.size, cuts)
 
 
-def contact_on(contact: ContactFields, plane: Plane) -> tuple[float, float]:
-    """First and last place of the contact on a plane normal to the surface [m]; (0, 0) if the plane misses it."""
-    return contact_span(contact, "x" if plane.axis == "y" else "y", plane.value)
+def contact_on(contact: ContactFields, plane: Plane) -> list[tuple[float, float]]:
+    """First and last place of each piece of the contact on a plane normal to the surface [m]; none if it misses it."""
+    return contact_pieces(contact, "x" if plane.axis == "y" else "y", plane.value)
 
 
 def _patch(contact: ContactFields, axis: str) -> tuple[float, float]:
@@ -177,8 +193,10 @@ def window_of(
     across = "y" if plane.axis == "x" else "x"
     low, high, deep = np.inf, -np.inf, 0.0
     if snapshot.in_contact:
-        start, end = (0.0, 0.0) if plane.axis == "z" else contact_on(snapshot.contact, plane)
-        if start == end:  # the plane passes beside the contact
+        pieces = [] if plane.axis == "z" else contact_on(snapshot.contact, plane)
+        if pieces:
+            start, end = pieces[0][0], pieces[-1][1]
+        else:  # the plane passes beside the contact
             start, end = _patch(snapshot.contact, across)
         centre, reach = 0.5 * (start + end), 0.5 * (end - start)
         low, high, deep = centre - 2.0 * reach, centre + 2.0 * reach, 1.2 * reach

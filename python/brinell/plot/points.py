@@ -75,9 +75,9 @@ def _labels(points: Sequence[PointHistory]) -> list[str]:
 def point_histories(run: Run, *, ax: style.Target | None = None) -> Figure | None:
     """Stress, plastic strain and temperature at the points of `output.points` over the steps.
 
-    Von Mises stress, equivalent plastic strain and, with heat, temperature of all points, then the components of stress
-    of each of the first four. A single rolling pass is drawn over the place of the contact, tugging over the sliding
-    coordinate.
+    Von Mises stress and, where there are any, equivalent plastic strain and temperature of all points, then the
+    components of stress of each of the first four. A single rolling pass is drawn over the place of the contact,
+    tugging over the sliding coordinate.
 
     Args:
         run: result to draw; it may be unfinished.
@@ -91,7 +91,9 @@ def point_histories(run: Run, *, ax: style.Target | None = None) -> Figure | Non
         return None
     over, scales = _abscissa(run), Scales(run)
     labels = _labels(points)
-    names = ["von_mises_stress", "equivalent_plastic_strain"]
+    names = ["von_mises_stress"]
+    if _largest(points, ["equivalent_plastic_strain"]) > 0.0:
+        names.append("equivalent_plastic_strain")
     if any(np.any(np.isfinite(point["temperature"])) for point in points):
         names.append("temperature")
     tensors = points[:_MOST_TENSORS]
@@ -103,6 +105,8 @@ def point_histories(run: Run, *, ax: style.Target | None = None) -> Figure | Non
     stress = scales.stress(_largest(tensors, [f"stress_{c}" for c in COMPONENTS]))
     for ax, point, label in zip(axes[len(names) :], tensors, labels, strict=False):
         _draw_stress(ax, point, label, stress, over)
+        if ax is not axes[len(names)]:
+            ax.sharey(axes[len(names)])
     for ax, letter in zip(axes[:count], "abcdefgh", strict=False):
         ax.set_title(f"({letter})  {ax.get_title(loc='left')}")
         ax.xaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 5, 10]))
@@ -113,6 +117,7 @@ def point_histories(run: Run, *, ax: style.Target | None = None) -> Figure | Non
         ax.set_xlabel(over.label)
         ax.tick_params(labelbottom=True)
     legend_beside(axes[1], looks(labels))
+    axes[-1].legend(handles=axes[len(names)].lines[1:], loc="lower left", bbox_to_anchor=(1.02, 0.0), borderaxespad=0.0)
     return fig
 
 
@@ -148,4 +153,3 @@ def _draw_stress(ax: Axes, point: PointHistory, label: str, scale: Scale, over: 
         ax.plot(*over.broken(point, point[f"stress_{component}"] / scale.size), **look)
     ax.set_title(f"stress, {label}")
     ax.set_ylabel(scale.label("", r"\sigma"))
-    ax.legend(ncols=2, handlelength=2.2)

@@ -99,7 +99,7 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
     place: dict[str, Any] = (
         {"location": "bottom", "aspect": 45.0, "shrink": 0.75} if sheet.maps_height < _FLAT_MAPS else {"pad": 0.02}
     )
-    bar = fig.colorbar(image, ax=axes[1:], label=name, format=FuncFormatter(lambda t, _: f"{t:.3g}"), **place)
+    bar = fig.colorbar(image, ax=axes[1:], label=name, format=FuncFormatter(lambda t, _: style.number(t)), **place)
     bar.set_ticks(_height_ticks(lowest / depth.size, highest / depth.size))
     return fig
 

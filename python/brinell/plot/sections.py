@@ -14,10 +14,21 @@ from matplotlib.image import AxesImage
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, MaxNLocator
+from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import contact_edge, draw_cells
-from brinell.plot.cuts import Cut, Panel, Window, contact_on, from_contact, panel_of, usual_quantities, window_of
+from brinell.plot.cuts import (
+    Cut,
+    Panel,
+    Window,
+    contact_on,
+    from_contact,
+    panel_of,
+    round_contact,
+    usual_quantities,
+    window_of,
+)
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import quantity_of
 from brinell.plot.scales import Scale, Scales
@@ -27,7 +38,16 @@ from brinell.plot.where import Cutting, goes_round, section_of
 from brinell.results import ContactFields, Run, Snapshot
 from brinell.scenarios import SCENARIOS
 
-__all__ = ["across_label", "draw_contact", "draw_outline", "draw_panel", "name_contact_axes", "section", "upright_axes"]
+__all__ = [
+    "across_label",
+    "broken_line",
+    "draw_contact",
+    "draw_outline",
+    "draw_panel",
+    "name_contact_axes",
+    "section",
+    "upright_axes",
+]
 
 
 _FLAT = 0.3
@@ -76,7 +96,10 @@ def section(
     quantities = usual_quantities(drawn) if names is None else [quantity_of(name) for name in names]
     origin = from_contact(snapshot)
     panels = [panel_of(run, snapshot, drawn, quantity, cut, origin) for quantity in quantities]
-    window = window_of(snapshot, drawn, cut, origin, goes_round(run))
+    if goes_round(run)[0] and snapshot.in_contact and cut.axis != "x":
+        for panel in panels:
+            panel.cuts[:] = [round_contact(one) for one in panel.cuts]
+    window = window_of(snapshot, drawn, cut, origin, goes_round(run)).within(panels)
     interpolation = "nearest" if cells else "bilinear"
     draw = _level if cut.axis == "z" else _upright
     fig = draw(run, snapshot, panels, window, cut, interpolation)
@@ -234,12 +257,17 @@ def _name_body(ax: Axes, name: str, height: float, anchor: str) -> None:
 
 
 def draw_contact(ax: Axes, contact: ContactFields, plane: Plane, length: float) -> Line2D:
-    """Draws the line of contact on a plane normal to the surface, with a dark rim that is visible on any map."""
-    ends = [end / length for end in contact_on(contact, plane)]
+    """Draws where the bodies touch on a plane normal to the surface, with a dark rim that is visible on any map."""
     look: dict[str, Any] = {"color": "white", "linewidth": 2.2, "solid_capstyle": "butt", "label": "contact"}
-    (line,) = ax.plot(ends, [0.0, 0.0], clip_on=False, **look)  # of a single body it lies on the rim
+    (line,) = ax.plot(*broken_line(contact_on(contact, plane), length), clip_on=False, **look)  # it may lie on the rim
     line.set_path_effects([withStroke(linewidth=3.6, foreground="black", alpha=0.7)])
     return line
+
+
+def broken_line(pieces: Sequence[tuple[float, float]], length: float) -> tuple[NDArray[np.float64], ...]:
+    """A line on the surface with gaps between its pieces [m], over the length."""
+    ends = np.array([(start, end, np.nan) for start, end in pieces], dtype=np.float64).ravel()[:-1] / length
+    return ends, np.where(np.isnan(ends), np.nan, 0.0)
 
 
 def draw_outline(ax: Axes, contact: ContactFields, length: float) -> None:

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-/// Stress in single cells. The deviator is part of the state; the trace, which plasticity does not need, is computed along with the
-/// evaluations of all cells, in the layers of cells that have been asked for before.
+/// Stress in single cells. The deviator is part of the state; the trace, which plasticity does not need, is computed
+/// along with the evaluations of all cells, in the layers of cells that have been asked for before.
 namespace brinell::elastoplastic
 {
 

@@ -47,8 +47,8 @@ Columns Body::affected_columns(const std::array<std::vector<double>, 3>& load, i
   return {extent.first, extent.last + 1 - extent.first};
 }
 
-/// Places the window of the next evaluation, around what changes since the state before the increment. An increment has one window: where a closing evaluation does not end it, its rest
-/// is as small as the error of a window.
+/// Places the window of the next evaluation, around what changes since the state before the increment. An increment has
+/// one window: where a closing evaluation does not end it, its rest is as small as the error of a window.
 void Body::choose_window()
 {
   const bool is_whole = std::exchange(wants_all_cells_, false);

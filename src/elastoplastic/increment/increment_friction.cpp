@@ -48,8 +48,8 @@ const PartialSlip* CoupledContact::partial_slip() const
   return dynamic_cast<const PartialSlip*>(interface_.get());
 }
 
-/// Largest shear that each cell of the contact can carry, the given limit or the strength of the softer surface with the hardening
-/// of the present trial if that is less, for a direction of the shear on the lower body [Pa].
+/// Largest shear that each cell of the contact can carry, the given limit or the strength of the softer surface with
+/// the hardening of the present trial if that is less, for a direction of the shear on the lower body [Pa].
 std::vector<double> CoupledContact::shear_limit(const Placement& placement,
                                                 const std::array<double, 2>& direction) const
 {
@@ -77,8 +77,8 @@ void CoupledContact::spread_shear(const Place& place, const SurfaceGrid& body, d
   }
 }
 
-/// Calls `use` with the data of both bodies that the interface needs. Thermal displacement counts as residual displacement: it does
-/// not depend on the shear.
+/// Calls `use` with the data of both bodies that the interface needs. Thermal displacement counts as residual
+/// displacement: it does not depend on the shear.
 template <typename Use>
 void CoupledContact::with_bodies(const Placement& placement, const Use& use) const
 {

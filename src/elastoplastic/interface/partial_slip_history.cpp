@@ -147,8 +147,8 @@ void PartialSlip::add_work(double beyond_trapezoid)
   state_.work += beyond_trapezoid;
 }
 
-/// Slip of points that leave the contact in the increment: they slip until their shear has vanished. Zero elsewhere; empty if there
-/// are none.
+/// Slip of points that leave the contact in the increment: they slip until their shear has vanished. Zero elsewhere;
+/// empty if there are none.
 PartialSlip::Pair PartialSlip::parting_slip() const
 {
   const auto parts = [&](std::size_t i)

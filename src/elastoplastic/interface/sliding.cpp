@@ -187,8 +187,9 @@ void SlidingInterface::find_displacements(const Bodies& bodies)
 
 /// Work of the shear on the displacement of the material under it: by the change within a cell of the contact grid, and because
 /// the cell moves along the bodies. Both parts use the trapezoidal rule. Where surfaces begin to slide, or reverse, the shear
-/// grows in proportion to the displacement that it causes, so that the rule uses the shear before the increment. Increments at rest
-/// have no way of sliding to turn into heat: the elastic energy of their shear is taken from the heat of the next one.
+/// grows in proportion to the displacement that it causes, so that the rule uses the shear before the increment.
+/// Increments at rest have no way of sliding to turn into heat: the elastic energy of their shear is taken from the
+/// heat of the next one.
 void SlidingInterface::settle(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();

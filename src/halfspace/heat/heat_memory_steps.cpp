@@ -159,8 +159,8 @@ void HeatMemory::add_to_last_step(std::span<const double> flux, const HeatMotion
   add_response(*step_->response, more, *sums_);
 }
 
-/// A step of the planned motion from `before`, which may be `heat_` itself: the heat decays, and new heat is added. What was amended
-/// in the step before had the same motion, so that both are added with the same factor.
+/// A step of the planned motion from `before`, which may be `heat_` itself: the heat decays, and new heat is added.
+/// What was amended in the step before had the same motion, so that both are added with the same factor.
 void HeatMemory::step_from(const Heat& before, const AlignedVector<Complex>& heat)
 {
   const std::size_t waves = waves_.waves.size();

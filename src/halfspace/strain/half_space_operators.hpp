@@ -99,7 +99,8 @@ struct HalfSpace::Operators
   void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
                                     Work::Buffers& work, std::span<double> stress) const;
   /// One component of the stress, or its trace, in one layer: adds the stress of the surface load to the residual stress in the
-  /// spectra of all blocks, and transforms the sum back to the grid. With symmetry the spectra need only the rows of `spectrum_rows`.
+  /// spectra of all blocks, and transforms the sum back to the grid. With symmetry the spectra need only the rows of
+  /// `spectrum_rows`.
   void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
                     const ComplexLanes* spectra, int plane, const Work::Buffers& work, Work::Buffers::Scratch& scratch,
                     double* field) const;

@@ -65,8 +65,8 @@ void warn_of_table(const CaseReader& reader, const std::string& name, Case& c)
          key, last, 100.0 * last);
 }
 
-/// Root mean square slope of a part of a texture that is given by numbers; of a dent the ratio of depth to edge radius, which is the slope of its flank
-/// to 20 %.
+/// Root mean square slope of a part of a texture that is given by numbers; of a dent the ratio of depth to edge radius,
+/// which is the slope of its flank to 20 %.
 double steepness(const simulation::Dent& dent)
 {
   return std::abs(dent.depth) / dent.edge_radius;
@@ -81,8 +81,8 @@ double steepness(const simulation::RandomSurface& surface)
   return surface.rms_slope();
 }
 
-/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. The limit for height
-/// maps is also that of Python (brinell/surfaces/heightmap.py).
+/// Warns of heights that were probably given in nm or um without a unit, which makes extremely steep surfaces. The
+/// limit for height maps is also that of Python (brinell/surfaces/heightmap.py).
 class OfHeights
 {
 public:

@@ -23,7 +23,8 @@ struct PointGrid
 
 /// Orders points on the grid that their coordinates form; in the file they may have any order.
 /// @param table  three columns: x, y, z
-/// @throws InputError, which continues a sentence that begins with the file's name, if they form none, or if a point is there twice
+/// @throws InputError, which continues a sentence that begins with the file's name, if they form none, or if a point is
+/// there twice
 [[nodiscard]] PointGrid point_grid(const NumberRows& table);
 
 /// Whether the first two columns are coordinates of a grid that is at least half full.

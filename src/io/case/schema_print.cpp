@@ -93,17 +93,19 @@ constexpr std::string_view markdown_head = R"md(<!-- Written by `brinell schema 
 A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: `lower.shape.radius = 1` is
 `[lower]` with `shape = {radius = 1}`.
 
-**Units.** A bare number is SI, but for angles, which are in degrees, and temperatures, in degrees Celsius. A string carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`.
-Units are products of m, g, s, K, N, Pa, bar, J, W, rad with the prefixes p n u (or µ) c m k M G T, and of in (or inch), angstrom (or Å), kgf and
-HV (Vickers hardness as a pressure, kgf/mm²: about three times the yield stress) without prefixes, `*` or a space between,
-`/` before each one that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`, an angle `deg`, `rad` or `mrad`. A quantity of
-the wrong dimension is an error.
+**Units.** A bare number is SI, but for angles, which are in degrees, and temperatures, in degrees Celsius. A string
+carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`. Units are products of m, g, s, K, N, Pa, bar, J,
+W, rad with the prefixes p n u (or µ) c m k M G T, and of in (or inch), angstrom (or Å), kgf and HV (Vickers hardness as
+a pressure, kgf/mm²: about three times the yield stress) without prefixes, `*` or a space between, `/` before each one
+that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`, an angle `deg`, `rad` or
+`mrad`. A quantity of the wrong dimension is an error.
 
 **Errors.** Unknown keys, missing keys, wrong types and impossible values are errors, reported together with file and line.
 
-**Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set lower.shape.radius="2 mm"`.
-Where it excludes a key of the file (`grid.resolution` for `grid.spacing`, `rolling.load` for `rolling.hertz_pressure`) or makes it pointless
-(`lower.material.hardening.law=none`), that key of the file is ignored.
+**Command line.** `--set key=value` replaces or adds a key, as in `--set tugging.interference=4 --set
+lower.shape.radius="2 mm"`. Where it excludes a key of the file (`grid.resolution` for `grid.spacing`, `rolling.load`
+for `rolling.hertz_pressure`) or makes it pointless (`lower.material.hardening.law=none`), that key of the file is
+ignored.
 
 `brinell check case.toml` prints the case with all defaults filled in.
 )md";

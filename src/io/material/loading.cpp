@@ -88,8 +88,8 @@ void leave_out_loops(Curve& curve, HardeningCurve& report)
   curve = std::move(kept);
 }
 
-/// One point for each strain: with the mean of its stresses while they rise, as of strains that were rounded, and with the largest
-/// while they fall, as during a hold.
+/// One point for each strain: with the mean of its stresses while they rise, as of strains that were rounded, and with
+/// the largest while they fall, as during a hold.
 void merge_equal_strains(Curve& curve, HardeningCurve& report)
 {
   Curve merged;

@@ -152,7 +152,8 @@ bool matches(std::string_view name, std::string_view pattern)
                               : name.starts_with(pattern.substr(0, star)) && name.ends_with(pattern.substr(star + 1));
 }
 
-/// Expected error of a number and its order, from the tables that also give the expected errors of every run; none without an entry.
+/// Expected error of a number and its order, from the tables that also give the expected errors of every run; none
+/// without an entry.
 simulation::ExpectedError expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
 {
   const auto found =
@@ -160,8 +161,8 @@ simulation::ExpectedError expected_error(const std::vector<simulation::ExpectedE
   return found == errors.end() ? simulation::ExpectedError{} : *found;
 }
 
-/// Expected errors of a run of the series: those that it has stated itself, which know the contact as it was, otherwise those before
-/// it.
+/// Expected errors of a run of the series: those that it has stated itself, which know the contact as it was, otherwise
+/// those before it.
 std::vector<simulation::ExpectedError> expected_errors(const Case& c, const Level& level)
 {
   auto errors = std::visit([](const auto& scenario)

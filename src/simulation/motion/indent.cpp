@@ -121,8 +121,8 @@ double IndentReader::slope_at_peak(const Branch& branch) const
   return is_periodic || std::isnan(branch.origin) ? slope_of_parabola(branch) : slope_of_power_law(branch);
 }
 
-/// Of the power law through the peak, whose exponent is fitted to the points above half of the largest load: cells that join or leave
-/// the contact make the load of single steps uneven.
+/// Of the power law through the peak, whose exponent is fitted to the points above half of the largest load: cells that
+/// join or leave the contact make the load of single steps uneven.
 double IndentReader::slope_of_power_law(const Branch& branch) const
 {
   const double top = indent_.max_load, depth = approach_[static_cast<std::size_t>(peak_)] - branch.origin;

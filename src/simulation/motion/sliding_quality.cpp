@@ -66,8 +66,8 @@ bool hardly_ploughs(const std::vector<SlidingStroke>& strokes)
                      [](const SlidingStroke& s) { return std::abs(s.friction_ploughing) < least; });
 }
 
-/// Whether so little yields in the strokes after pressing, as where only the upper body is plastic, that a relative error of their
-/// plastic work says nothing.
+/// Whether so little yields in the strokes after pressing, as where only the upper body is plastic, that a relative
+/// error of their plastic work says nothing.
 bool hardly_yields(const SlidingSummary& summary)
 {
   constexpr double least = 0.02; // over the plastic work of the whole run

@@ -130,8 +130,8 @@ private:
     return {centre(p), {contact::Drive::Kind::load, share_of_load(p.theta) * *case_.load}};
   }
 
-  /// The load rises in the first eighth of the way on which the rigid bodies would touch, and falls in the last: by place and not by
-  /// step, so that the work does not depend on where the steps begin.
+  /// The load rises in the first eighth of the way on which the rigid bodies would touch, and falls in the last: by
+  /// place and not by step, so that the work does not depend on where the steps begin.
   [[nodiscard]] double share_of_load(double theta) const
   {
     const double touch = passing_.angle_at_touch();

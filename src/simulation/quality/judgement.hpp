@@ -35,7 +35,8 @@ struct Documented
   double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
 };
 
-/// Documented::error of the temperature rise with 8 cells where surfaces stick in places: the heat arises in few cells at the rim.
+/// Documented::error of the temperature rise with 8 cells where surfaces stick in places: the heat arises in few cells
+/// at the rim.
 inline constexpr double temperature_error_of_sticking = 0.12;
 
 /// Facts about a run of any scenario that the rules need.

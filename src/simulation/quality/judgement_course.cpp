@@ -46,8 +46,9 @@ double yield_stress_of_surfaces(const Facts& facts, const std::array<double, 2>*
   return least;
 }
 
-/// Whether the limit of the shear is the strength of a surface, not a given one below it. Plastic strain of a surface at its limit
-/// concentrates in the uppermost layers of cells; if it does not harden, it grows without bound as the layers get thinner.
+/// Whether the limit of the shear is the strength of a surface, not a given one below it. Plastic strain of a surface
+/// at its limit concentrates in the uppermost layers of cells; if it does not harden, it grows without bound as the
+/// layers get thinner.
 /// @param totals  of the run, with the temperatures that soften the surfaces; nullptr: before it
 bool is_limited_by_strength(const Facts& facts, const RunTotals* totals)
 {
@@ -170,8 +171,8 @@ std::string hot_surface_text(const char* name, const constitutive::Material& mat
                      lacks_softening ? "; give the material a softening law, or reduce speed or load" : "");
 }
 
-/// Depth that heat reaches while a point is heated, over the thickness of a layer of cells. None without thermal stress that would
-/// matter to yield: E alpha T/(1 - nu) of the largest rise of the temperature, of the skin of a body.
+/// Depth that heat reaches while a point is heated, over the thickness of a layer of cells. None without thermal stress
+/// that would matter to yield: E alpha T/(1 - nu) of the largest rise of the temperature, of the skin of a body.
 std::optional<double> layers_of_hot_skin(const Facts& facts, const constitutive::Material& material, double rise)
 {
   constexpr double share_of_yield = 0.1;

@@ -19,7 +19,8 @@ inline constexpr double longest_share_of_radius = 0.25; ///< step over contact r
 /// Cells per radius to compare with the tables, whose cells are up to twice as long across the motion as along it.
 [[nodiscard]] double deciding_cells(const Facts& facts, const Resolution& resolution);
 
-/// Relative error of quantities with Documented::of_steps = 1, which are energies. A shift of one cell is part of the tables of cells.
+/// Relative error of quantities with Documented::of_steps = 1, which are energies. A shift of one cell is part of the
+/// tables of cells.
 [[nodiscard]] double error_of_steps(const Facts& facts);
 
 /// Resolution with the errors to expect.
@@ -38,8 +39,9 @@ bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 /// @param warnings  of textures only; the last one is extended
 void withhold_errors(const Facts& facts, const RunTotals* seen, Resolution& resolution, std::vector<Warning>& warnings);
 
-/// Estimate before a run of the share of the contact that is at the shear limit of a surface: of a pressure that is that of Hertz up
-/// to the hardness. 0 where the shear has no such limit, where surfaces may stick, and without an estimate of the pressure.
+/// Estimate before a run of the share of the contact that is at the shear limit of a surface: of a pressure that is
+/// that of Hertz up to the hardness. 0 where the shear has no such limit, where surfaces may stick, and without an
+/// estimate of the pressure.
 [[nodiscard]] double estimated_share_at_limit(const Facts& facts);
 
 /// Warns, before a run, of surfaces that will flow under the shear by this estimate.

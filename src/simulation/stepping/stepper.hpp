@@ -90,7 +90,8 @@ public:
   /// it is longer than `finest`. A piece of the finest length that does not converge is solved by the plain fixed point of the
   /// convex problem (backward Euler), whose energy is watched. If a solution outgrows a grid, the grid is enlarged and the piece
   /// is solved again.
-  /// Where plastic surfaces begin to slide, or reverse, under pressure, friction is raised at `path(0)` first, in increments at rest:
+  /// Where plastic surfaces begin to slide, or reverse, under pressure, friction is raised at `path(0)` first, in
+  /// increments at rest:
   /// docs/theory/simulation.md (friction).
   /// @param where     description of the step for messages.
   /// @param at_onset  called when full friction acts and the surfaces have not moved yet; not called in other steps.

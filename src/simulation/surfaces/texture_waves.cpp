@@ -32,8 +32,8 @@ struct Lines
   }
 };
 
-/// Wavelength from the ratio of the mean squares of first and second differences: that of a single wave, and otherwise longer than
-/// the shortest one. Infinite if the lines are straight.
+/// Wavelength from the ratio of the mean squares of first and second differences: that of a single wave, and otherwise
+/// longer than the shortest one. Infinite if the lines are straight.
 double mean_wave(const Lines& lines)
 {
   double first = 0.0, second = 0.0; // squares of the differences
