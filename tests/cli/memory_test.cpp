@@ -82,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
         Sized{"rolling-sliding", {"grid.resolution=6", "rolling.passes=1"}},
         Sized{"sliding-rough",
               {"sliding.strokes=1", R"(sliding.distance="2 um")", "output.checkpoint_interval=0"}}, // after each step
-        Sized{"fretting-sphere", {}}, Sized{"rough-periodic", {}},
+        Sized{"fretting-sphere", {"output.fields=all"}}, Sized{"rough-periodic", {"output.fields=all"}},
+        Sized{"rough-periodic", {"grid.cells=[384, 384]", "indentation.steps=2"}, "-surfaces"},
         Sized{"rolling-sliding", // all cells are unknowns
               {"grid.resolution=6", "rolling.passes=1", "solver.shortcuts=false"},
               "-no-shortcuts"},
