@@ -84,6 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
               {"sliding.strokes=1", R"(sliding.distance="2 um")", "output.checkpoint_interval=0"}}, // after each step
         Sized{"fretting-sphere", {}}, Sized{"fretting-sphere", {R"(output.fields="all")"}, "-all-fields"}, // elastic
         Sized{"rough-periodic", {}}, Sized{"rough-periodic", {R"(output.fields="all")"}, "-all-fields"},
+        Sized{"rough-periodic", {"grid.cells=[384, 384]", "indentation.steps=2"}, "-surfaces"},
         Sized{"rolling-sliding", // all cells are unknowns
               {"grid.resolution=6", "rolling.passes=1", "solver.shortcuts=false"},
               "-no-shortcuts"},

@@ -31,7 +31,8 @@ def residual_stress(run: Run) -> dict[str, float]:
     yields = bool(np.any(run.history["max_equivalent_plastic_strain"]))
     found: dict[str, float] = {}
     for name, body in (("lower", final.lower), ("upper", final.upper)):
-        if not (body.has_yielded if body.has("equivalent_plastic_strain") else yields):
+        has_yielded = body.has_yielded if body.has("equivalent_plastic_strain") else yields
+        if body.is_rigid or not has_yielded:
             continue
         for component in ("xx", "yy"):
             stress = np.asarray(body.stress[component])
