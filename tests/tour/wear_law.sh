@@ -1,6 +1,6 @@
 #!/bin/bash
 # Applies docs/developer/wear-law.patch to a copy of the sources, compiles the sources and tests that it touches, without making
-# code, and computes the law that it adds. CTest calls it: wear_law.sh SOURCE C++-COMPILER FOLDER-OF-HEADERS...
+# code, computes the law that it adds and looks for its column. CTest calls it: wear_law.sh SOURCE C++-COMPILER FOLDER-OF-HEADERS...
 set -euo pipefail
 source=$1 compiler=$2
 shift 2
@@ -25,13 +25,24 @@ done
 python3 -m py_compile $(grep '\.py$' <<<"$touched")
 
 cat >law.cpp <<'END'
-#include "brinell/elastoplastic/wear.hpp"
+#include "brinell/simulation/scenarios.hpp"
+#include <algorithm>
+using namespace brinell::simulation;
+template <typename Record>
+bool has_column()
+{
+  const auto& all = columns<Record>;
+  return std::any_of(all.begin(), all.end(), [](const auto& column) { return column.name == "worn_share"; });
+}
 double brinell::elastoplastic::UserWear::intensity_at(double, double) const { return -1.0; } // not used
 int main()
 {
   using brinell::elastoplastic::WearLaw;
   const WearLaw law{.lower = 1e-15, .kind = WearLaw::Kind::threshold, .threshold = 1e9};
-  return law.intensity(3e9, 0.0) == 2e9 && law.intensity(0.5e9, 0.0) == 0.0 ? 0 : 1;
+  const bool is_right = law.intensity(3e9, 0.0) == 2e9 && law.intensity(0.5e9, 0.0) == 0.0;
+  const bool is_told = has_column<TuggingRecord>() && has_column<RollingRecord>() && has_column<SlidingRecord>() &&
+                       has_column<FrettingRecord>();
+  return is_right && is_told ? 0 : 1;
 }
 END
 "$compiler" "${flags[@]}" law.cpp -o law
