@@ -141,7 +141,8 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
   constexpr double fields = 7.0, most_bytes_read = 5.0 * 1024 * 1024, expected_and_lacking = 3.0;
   const VolumeGrid grid{grid_of_heat(volume.surface), volume.nz, volume.dz};
   const bool is_rigid = material.elastic.is_rigid();
-  const double deepest = is_rigid ? -1.0 : (2.0 * volume.nz - 0.5) * volume.dz;
+  const int layers = std::max(volume.nz, plan.layers);
+  const double deepest = is_rigid ? -1.0 : (2.0 * layers - 0.5) * volume.dz;
   const double kept = halfspace::memory_of_heat(
       grid.surface, *material.thermal, plan.heat_times,
       {deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, plan.symmetry,
