@@ -93,14 +93,15 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
                       const WantedOfHeat& wanted, bool goes_back)
 {
   const double copies = goes_back ? 2.0 : 1.0;
-  constexpr double of_layers = 3.0; // temperature, and amplitudes now and before the step
+  constexpr double of_layers = 3.0;    // temperature, and amplitudes now and before the step
+  constexpr double along_surface = 14; // wavenumbers, the planned step, its response, and sums over depth
   const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted.deepest);
   const auto lattice = [&](int px, int py, const DepthWaves& kept, double layers)
   {
     const double rows = wanted.symmetry == Symmetry::none ? py : py / 2 + 1;
     const double blocks = std::ceil((px / 2 + 1) / static_cast<double>(lane_count));
     return rows * blocks * sizeof(ComplexLanes) *
-           (copies * static_cast<double>(kept.waves.size()) + of_layers * layers);
+           (copies * static_cast<double>(kept.waves.size()) + along_surface + of_layers * layers);
   };
   const double spread = reach_of_heat * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
   const double deepest = (wanted.heated.count + 1) * wanted.heated.thickness + spread;
