@@ -156,11 +156,13 @@ class Solver(_Table):
             finer cells is then computed.
         yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
         displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to the
-            approach at first yield [-].
+            approach at first yield, or to its change in the increment if that is larger [-].
         contact_tolerance: largest gap under pressure, relative to the largest approach [-]. At most a thousandth of
             `yield_tolerance` and a hundredth of `displacement_tolerance` is used, or 1e-12 if that is more.
-        max_evaluations: largest number of evaluations of an increment before it is split.
-        anderson_depth: number of earlier iterates in the Anderson acceleration; 0: plain fixed-point iteration.
+        max_evaluations: largest number of evaluations of an increment before it is split; with friction, and in deep
+            indents of soft bodies, it is multiplied by four.
+        anderson_depth: number of earlier iterates in the Anderson acceleration, in deep indents of soft bodies four
+            times as many; 0: plain fixed-point iteration.
         integration: time integration of the plastic strain in a step, "path" or "backward_euler".
         mirror: whether only one of two bodies that are mirror images is solved.
         symmetry: whether only one side of the plane y = 0 is solved if the problem is symmetric to it.
