@@ -210,7 +210,7 @@ class CoupledContact:
             scale: length to which the tolerances of lengths are relative [m], for example the approach at first yield.
             yield_tolerance: largest violation of the yield condition, relative to the yield stress [-].
             displacement_tolerance: largest change of the residual displacement in the last evaluation, relative to
-                `scale` [-].
+                `scale`, or to its change in the increment if that is larger [-].
             contact_tolerance: largest gap under pressure, relative to `scale` [-]. At most a thousandth of
                 `yield_tolerance` and a hundredth of `displacement_tolerance` is used, or 1e-12 if that is more.
             twin: for two equal bodies, of which only the lower one is solved: "mirror_image" gives the upper body the

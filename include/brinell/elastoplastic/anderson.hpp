@@ -27,6 +27,10 @@ public:
   /// To be called before an `advance` whose g comes from a map slightly different from the previous one: the history stays
   /// valid, but the difference between these two evaluations is not used.
   void change_map() { changes_map_ = true; }
+  /// Keeps more differences from now on, and damps their weights: for maps that are far from linear. What is known stays.
+  /// @param depth    differences kept; fewer than before change nothing
+  /// @param damping  by which the products of a difference with itself are enlarged, relative to them
+  void deepen(int depth, double damping);
   /// Forgets the history.
   void reset() { count_ = 0; }
 
@@ -38,6 +42,8 @@ private:
   std::size_t depth_;
   std::size_t count_ = 0;    ///< evaluations since the last reset, without those after which the map changed
   bool changes_map_ = false; ///< whether the next evaluation uses a changed map
+  /// Relative to the size of the system. Without it, differences that have become parallel would carry no information.
+  double damping_ = 1e-12;
   std::vector<double> previous_g_, previous_f_, previous_y_;
   std::vector<std::vector<double>> dg_, df_, dy_; ///< ring buffers of differences
   std::vector<double> products_;                  ///< dy . df, [of dy][of df]

@@ -83,6 +83,33 @@ std::vector<double> Anderson::residual() const
   return f;
 }
 
+void Anderson::deepen(int depth, double damping)
+{
+  damping_ = damping;
+  const auto deeper = static_cast<std::size_t>(std::max(depth, 0));
+  if (depth_ == 0 || deeper <= depth_)
+    return;
+  const std::size_t known = count_ > 0 ? std::min(count_ - 1, depth_) : 0;
+  const std::size_t oldest = known == depth_ ? (count_ - 1) % depth_ : 0;
+  const auto slot = [&](std::size_t age) { return (oldest + age) % depth_; };
+  std::vector<double> products(deeper * deeper), right(deeper);
+  for (std::size_t a = 0; a < known; ++a)
+  {
+    right[a] = right_[slot(a)];
+    for (std::size_t b = 0; b < known; ++b)
+      products[a * deeper + b] = products_[slot(a) * depth_ + slot(b)];
+  }
+  for (std::vector<std::vector<double>>* differences : {&dg_, &df_, &dy_})
+  {
+    std::rotate(differences->begin(), differences->begin() + static_cast<std::ptrdiff_t>(oldest), differences->end());
+    differences->resize(deeper, std::vector<double>(previous_g_.size()));
+  }
+  products_.swap(products);
+  right_.swap(right);
+  count_ = count_ > 0 ? known + 1 : 0;
+  depth_ = deeper;
+}
+
 /// Weights of the differences dg in the next x; empty if the system has no finite solution.
 std::vector<double> Anderson::weights(std::size_t used) const
 {
@@ -93,9 +120,8 @@ std::vector<double> Anderson::weights(std::size_t used) const
   for (int a = 0; a < m; ++a)
     for (int b = 0; b < m; ++b)
       products(a, b) = products_[static_cast<std::size_t>(a) * depth_ + static_cast<std::size_t>(b)];
-  // Differences that have become parallel carry no information: damp them relative to the size of the system.
   for (int a = 0; a < m; ++a)
-    products(a, a) *= 1.0 + 1e-12;
+    products(a, a) *= 1.0 + damping_;
   std::vector<double> weight = solve(products, {right_.data(), used});
   const bool is_finite = std::all_of(weight.begin(), weight.end(), [](double w) { return std::isfinite(w); });
   return is_finite ? weight : std::vector<double>();

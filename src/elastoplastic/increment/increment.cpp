@@ -71,12 +71,45 @@ constexpr double edge_check_factor = 50.0;
 /// overshoot, and at smaller ones the plain combination is as good.
 constexpr double near = 0.02, nearest = 1e-4;
 
+/// Increments of deep indents of soft metals: where the yield error was ever larger, some cells flow by many times their yield
+/// strain. The differences between evaluations are then far from those of a linear map, and the strains that cells flow into
+/// freely are many: docs/theory/elastoplastic.md (deep).
+namespace deep
+{
+constexpr double yield_error = 5.0;
+constexpr int many_evaluations = 20; ///< without shear: as many tell of such an increment, too
+constexpr int more_history = 4;      ///< times Strategy::anderson_depth
+constexpr double damping = 0.05;
+constexpr int more_evaluations = 4; ///< times Strategy::max_evaluations
+constexpr int patience = 40;        ///< of the stall rule
+} // namespace deep
+
 /// Whether the work of two bodies is so similar that a thread for each of them is done sooner than two threads that share both in
 /// turn: sharing makes two threads some 1.4 times as fast as one.
 bool is_comparable(double first, double second)
 {
   constexpr double gain_of_sharing = 1.4;
   return gain_of_sharing * std::max(first, second) < first + second;
+}
+
+double largest_change(std::span<const double> a, std::span<const double> b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = larger(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+template <typename Sides>
+bool bears_shear(const Sides& sides)
+{
+  const auto acts = [](double shear) { return shear != 0.0; };
+  return std::any_of(sides.begin(), sides.end(),
+                     [&](const auto& side)
+                     {
+                       return std::any_of(side.shear[0].begin(), side.shear[0].end(), acts) ||
+                              std::any_of(side.shear[1].begin(), side.shear[1].end(), acts);
+                     });
 }
 
 bool is_finite(const IncrementReport& report)
@@ -139,11 +172,19 @@ std::ptrdiff_t CoupledContact::windows() const
   return std::count_if(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.was_windowed(); });
 }
 
-/// Whether the errors of the fixed point are within `factor` times their tolerances.
+/// Whether the errors of the fixed point are within `factor` times their tolerances. That of the residual displacement refers to the scale of
+/// the run, or to the largest change of this displacement in the increment if that is larger, but not to more than the largest approach.
 bool CoupledContact::is_within(double factor, const IncrementReport& report) const
 {
-  return report.yield_error <= factor * settings_.yield_tolerance &&
-         report.displacement_error <= factor * settings_.displacement_tolerance * scales_.displacement;
+  const double tolerance = factor * settings_.displacement_tolerance;
+  if (!(report.yield_error <= factor * settings_.yield_tolerance))
+    return false;
+  if (report.displacement_error <= tolerance * scales_.displacement)
+    return true;
+  double change = 0.0;
+  for (const Side& side : sides_)
+    change = larger(change, largest_change(side.body.residual_displacement(), side.body.state().residual_displacement));
+  return report.displacement_error <= tolerance * std::min(change, scales_.gap);
 }
 
 /// Energy of the present trial [J].
@@ -219,7 +260,7 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
   EnergyWatch energy_watch;
   // The increment may only end with an evaluation that computed the stress in all cells; near convergence all evaluations do.
   bool closing = strategy.watch_energy || !has_unknowns();
-  bool leaves_window = false, has_checked_edges = false;
+  bool leaves_window = false, has_checked_edges = false, is_deep = false;
   std::ptrdiff_t windows_now = 0;
   double yield_error_before = 0.0;
   for (report.evaluations = 1;; ++report.evaluations)
@@ -240,7 +281,15 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     const bool settled = report.evaluations > 1 || !has_unknowns();
     report.converged = report.contact_converged && !grew && settled && complete && is_within(1.0, report);
     const bool renewed = report.converged && strategy.watch_energy && renews_law(report);
-    if (report.converged || !is_finite(report) || report.evaluations >= strategy.max_evaluations)
+    const bool is_slow = report.evaluations >= deep::many_evaluations && !bears_shear(sides_);
+    if (!is_deep && strategy.anderson_depth > 0 && (is_slow || report.yield_error > deep::yield_error))
+    {
+      is_deep = true;
+      acceleration.deepen(deep::more_history, deep::damping);
+    }
+    // With an interface, the increment already has as many evaluations.
+    const int most = (is_deep && !interface_ ? deep::more_evaluations : 1) * strategy.max_evaluations;
+    if (report.converged || !is_finite(report) || report.evaluations >= most)
       return report;
     if (strategy.stay_within_grids && !has_checked_edges && is_within(edge_check_factor, report))
     {
@@ -262,7 +311,8 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
       window_error_.compare(yield_error_before, report.yield_error);
     yield_error_before = report.yield_error;
     const bool stalls = !strategy.watch_energy && strategy.anderson_depth > 0 &&
-                        stall_rule.stalls(report.yield_error, grew || changes_map || report.evaluations == 1);
+                        stall_rule.stalls(report.yield_error, grew || changes_map || report.evaluations == 1,
+                                          is_deep ? deep::patience : usual_patience);
     if (report.energy_rose || stalls)
       return report;
     closing = strategy.watch_energy || is_within(closing_factor, report);

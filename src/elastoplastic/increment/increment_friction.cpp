@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -34,6 +35,22 @@ void limit_to_strength(const SurfaceGrid& body, const std::vector<double>& stren
       double& value = limit[contact.index(i, j)];
       value = std::min(value, (1.0 - place.fraction) * here + place.fraction * next);
     }
+}
+
+/// Gap that the yield error of a body does not notice: where it alternates in sign from cell to cell, it changes the pressure by
+/// pi E' gap/2d, here a quarter of the tolerance. In deep indents of soft metals it is far below the usual tolerance, which is
+/// relative to the approach: docs/theory/elastoplastic.md (noise).
+/// @returns infinity for a body that cannot yield
+double unnoticed_gap(const constitutive::Material& material, double modulus, const SurfaceGrid& grid, double tolerance)
+{
+  constexpr double share = 0.25;
+  if (!material.is_plastic())
+    return std::numeric_limits<double>::infinity();
+  double factor = material.yield_factor.empty() ? 1.0 : std::numeric_limits<double>::infinity();
+  for (const double z : material.yield_factor.depth())
+    factor = std::min(factor, material.yield_factor.at(z, 1.0));
+  return share * tolerance * factor * constitutive::initial_yield_stress(*material.hardening) * 2.0 *
+         std::min(grid.dx, grid.dy) / (std::numbers::pi * modulus);
 }
 
 } // namespace
@@ -165,7 +182,13 @@ bool CoupledContact::carries_off(const Placement& placement) const
 /// Tolerance of the contact solver: largest gap under pressure, and largest overlap elsewhere [m].
 double CoupledContact::tolerance_of_gap() const
 {
-  const double usual = settings_.tolerance_of_contact() * scales_.gap;
+  constexpr double rounding = 1e-12;
+  const constitutive::Material &lower = sides_.front().body.material(), &upper = sides_.back().body.material();
+  const double modulus = contact_modulus(lower.elastic, upper.elastic);
+  double usual = settings_.tolerance_of_contact() * scales_.gap;
+  for (const constitutive::Material* material : {&lower, &upper})
+    usual = std::min(
+        usual, std::max(rounding * scales_.gap, unnoticed_gap(*material, modulus, grid(), settings_.yield_tolerance)));
   return interface_ ? interface_->tolerance_of_gap(usual) : usual;
 }
 

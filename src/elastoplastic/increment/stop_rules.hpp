@@ -7,14 +7,18 @@
 namespace brinell::elastoplastic
 {
 
+/// Evaluations in which the error of an accelerated iteration has to halve.
+constexpr int usual_patience = 20;
+
 /// Detects that an accelerated iteration makes no progress.
 class StallRule
 {
 public:
   /// @param is_new  whether earlier errors are those of another problem, as cells have become active or a window was left: the
   ///                count starts again
-  /// @returns whether the error has not halved within the last `patience` evaluations
-  bool stalls(double error, bool is_new)
+  /// @param patience  evaluations in which the error has to halve
+  /// @returns whether it has not
+  bool stalls(double error, bool is_new, int patience = usual_patience)
   {
     if (is_new)
       *this = {};
@@ -29,7 +33,6 @@ public:
   }
 
 private:
-  static constexpr int patience = 20;
   double best_ = 1e300;
   int since_ = 0;
 };

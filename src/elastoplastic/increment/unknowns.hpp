@@ -120,8 +120,10 @@ class Acceleration
 {
 public:
   /// @param depth  0: plain fixed point, q <- g(q)
-  explicit Acceleration(int depth) : is_plain_(depth == 0), anderson_(depth) {}
+  explicit Acceleration(int depth) : depth_(depth), anderson_(depth) {}
 
+  /// Keeps `factor` times as many evaluations from now on, see Anderson::deepen.
+  void deepen(int factor, double damping) { anderson_.deepen(factor * depth_, damping); }
   /// @param changes_map  whether the map differs from that of the previous evaluation, see Anderson::change_map
   /// @param is_near      whether trials may go further than their residual, see Body::go_further
   template <typename Sides>
@@ -138,12 +140,12 @@ public:
       anderson_.advance(x_, g_, y_);
       unknowns_.unpack(x_, sides);
     }
-    if (is_near && !is_plain_)
+    if (is_near && depth_ > 0)
       unknowns_.go_further(anderson_.residual(), sides);
   }
 
 private:
-  bool is_plain_;
+  int depth_; ///< at first
   Anderson anderson_;
   Unknowns unknowns_;
   std::vector<double> x_, g_, y_;

@@ -115,16 +115,19 @@ std::vector<Entry> solver_entries()
             "Largest violation of the yield condition, relative to the yield stress."),
       entry("displacement_tolerance", &Settings::displacement_tolerance, kind::number.inside(0.0, 0.1),
             "Largest change of the residual displacement in the last evaluation, relative to the approach at first "
-            "yield."),
+            "yield, or to its change in the increment if that is larger."),
       entry(
           "contact_tolerance", &Settings::contact_tolerance, kind::number.inside(0.0, 0.1),
           "Complementarity of the contact: largest gap under pressure, relative to the largest approach. At most a "
           "thousandth of yield_tolerance and a hundredth of displacement_tolerance is used, or 1e-12 if that is more."),
-      entry(
-          "max_evaluations", &Settings::max_evaluations, kind::number.between(1, 100000),
-          "Largest number of evaluations of an increment before it is split; with friction it is multiplied by four."),
+      entry("max_evaluations", &Settings::max_evaluations, kind::number.between(1, 100000),
+            "Largest number of evaluations of an increment before it is split; with friction, and in deep indents of "
+            "soft bodies, "
+            "it is multiplied by four."),
       entry("anderson_depth", &Settings::anderson_depth, kind::number.between(0, 50),
-            "Earlier iterates used to accelerate the iteration; 0: plain fixed point."),
+            "Earlier iterates used to accelerate the iteration, in deep indents of soft bodies four times as many; 0: "
+            "plain "
+            "fixed point."),
       entry("integration", &Settings::integration, {},
             "Integration of the plastic strain over a step. path: along the path of the trial stress, of second order "
             "in the step; backward_euler: one radial return at the end of the step, of first order, as in the paper.",

@@ -90,7 +90,10 @@ double trial_bytes(const VolumeGrid& grid, const constitutive::Material& materia
 {
   const double computed = plan.symmetry == Symmetry::none ? 1.0 : 0.5;
   const double active_share = solver.shortcuts ? share_near_yield(grid, plan) : computed;
-  const double values_per_cell = 5.0 * (3.0 * solver.anderson_depth + 11.0);
+  // Deep indents keep a longer history (docs/theory/elastoplastic.md, deep). Of them the scale is limited from below.
+  constexpr double limit = 0.0101;
+  const double more_history = plan.scales.displacement <= limit * plan.scales.gap ? 4.0 : 1.0;
+  const double values_per_cell = 5.0 * (3.0 * more_history * solver.anderson_depth + 11.0);
   return material.is_plastic() ? field_bytes(grid, active_share * values_per_cell) : 0.0;
 }
 

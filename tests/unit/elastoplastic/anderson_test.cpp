@@ -94,6 +94,50 @@ TEST(AndersonTest, SolvesALinearProblemOfNUnknownsInNPlusOneSteps)
   }
 }
 
+TEST(AndersonTest, DeepenedKeepsWhatItKnows)
+{
+  // The next iterate is that of the history before, whether its ring had been filled several times or not.
+  constexpr std::size_t n = 8;
+  constexpr double damping = 1e-12;
+  const Affine g(n);
+  for (const std::size_t steps : {1, 2, 3, 4, 5, 6})
+  {
+    Anderson shallow(3);
+    std::vector<double> x(n, 0.0);
+    for (std::size_t step = 0; step < steps; ++step)
+      advance(shallow, x, g(x));
+    Anderson deeper = shallow;
+    deeper.deepen(static_cast<int>(n), damping);
+    // A changed map adds no difference, so that both know the same ones.
+    shallow.change_map();
+    deeper.change_map();
+    std::vector<double> y = x;
+    advance(shallow, x, g(x));
+    advance(deeper, y, g(y));
+    EXPECT_LT(distance(x, y), 1e-12) << steps;
+  }
+}
+
+TEST(AndersonTest, DeepenedSolvesWhatAShallowHistoryDoesNot)
+{
+  constexpr std::size_t n = 8;
+  constexpr double damping = 1e-12;
+  const Affine g(n);
+  const auto distance_after = [&](bool deepens)
+  {
+    Anderson anderson(2);
+    std::vector<double> x(n, 0.0);
+    for (std::size_t step = 0; step < n + 3; ++step)
+    {
+      if (deepens && step == 3)
+        anderson.deepen(static_cast<int>(n), damping);
+      advance(anderson, x, g(x));
+    }
+    return distance(x, g.solution);
+  };
+  EXPECT_LT(distance_after(true), 0.1 * distance_after(false));
+}
+
 TEST(AndersonTest, WithoutDepthIsThePlainIteration)
 {
   const Affine g(4);
