@@ -168,6 +168,7 @@ lower = {shape = {type = "flat"}, material = {young_modulus = "200 GPa", poisson
 upper = {shape = {type = "sphere", radius = "1 mm"}, material = {rigid = true}}
 indentation = {load = ["5 N"], steps = 3}
 grid = {resolution = 3}
+output = {fields = "all"}
 """
     run = brinell.Case(text).run(tmp_path / "run")
     assert run.field_names("upper") == []
