@@ -190,14 +190,15 @@ class Solver(CaseTable):
         yield_tolerance: Largest violation of the yield condition, relative to the yield stress. Allowed: in (0, 0.1);
             default: 0.0001.
         displacement_tolerance: Largest change of the residual displacement in the last evaluation, relative to the
-            approach at first yield. Allowed: in (0, 0.1); default: 1e-05.
+            approach at first yield, or to its change in the increment if that is larger. Allowed: in (0, 0.1); default:
+            1e-05.
         contact_tolerance: Complementarity of the contact: largest gap under pressure, relative to the largest approach.
             At most a thousandth of yield_tolerance and a hundredth of displacement_tolerance is used, or 1e-12 if that
             is more. Allowed: in (0, 0.1); default: 1e-07.
-        max_evaluations: Largest number of evaluations of an increment before it is split; with friction it is
-            multiplied by four. Allowed: in [1, 100000]; default: 60.
-        anderson_depth: Earlier iterates used to accelerate the iteration; 0: plain fixed point. Allowed: in [0, 50];
-            default: 6.
+        max_evaluations: Largest number of evaluations of an increment before it is split; with friction, and in deep
+            indents of soft bodies, it is multiplied by four. Allowed: in [1, 100000]; default: 60.
+        anderson_depth: Earlier iterates used to accelerate the iteration, in deep indents of soft bodies four times as
+            many; 0: plain fixed point. Allowed: in [0, 50]; default: 6.
         integration: Integration of the plastic strain over a step. path: along the path of the trial stress, of second
             order in the step; backward_euler: one radial return at the end of the step, of first order, as in the
             paper. Default: "path".
