@@ -152,7 +152,7 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
        of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}},
       material.is_plastic());
   const PaddedLengths padded = padded_lengths(grid.surface);
-  const double field = sizeof(double) * padded.x * padded.y;
+  const double field = static_cast<double>(sizeof(double)) * padded.x * padded.y;
   const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;
   return kept + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
 }
