@@ -36,12 +36,12 @@ enum class Precision
 /// The part of the cells of a body that is stored.
 struct StoredCells
 {
-  std::optional<double> depth; ///< of the deepest layer that is stored at least in part [m]
+  std::optional<double> depth{}; ///< of the deepest layer that is stored at least in part [m]
   /// First and last coordinate on the surface of the body [m]; equal ones choose the nearest column or row.
-  std::optional<std::vector<double>> region_x, region_y;
-  std::optional<std::vector<double>> region_z; ///< first and last depth [m], of both bodies; not with `depth`
-  int stride = 1;                              ///< of the columns and rows
-  int stride_z = 1;                            ///< of the layers
+  std::optional<std::vector<double>> region_x{}, region_y{};
+  std::optional<std::vector<double>> region_z{}; ///< first and last depth [m], of both bodies; not with `depth`
+  int stride = 1;                                ///< of the columns and rows
+  int stride_z = 1;                              ///< of the layers
 
   /// Whether all cells of the bodies are stored.
   [[nodiscard]] bool is_everything() const

@@ -81,7 +81,9 @@ TEST(Commit, NothingIsKeptOfAnIncrementWhoseHeatIsLost)
   ASSERT_EQ(before.size(), after.size());
   for (const auto& [name, values] : before)
     if (!name.ends_with("window_wishes")) // says when windows pay, and counts increments that fail, too
+    {
       EXPECT_EQ(values, after.at(name)) << name;
+    }
   EXPECT_TRUE(advance(large, 0.2 * interference).converged);
 }
 
