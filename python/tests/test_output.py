@@ -188,7 +188,7 @@ def bytes_in(group: h5py.Group) -> int:
 def many_steps(count: int, **output: Any) -> brinell.Case:
     kind = Kind("indentation", "plastic", "elastic", "open", "smooth")
     case = kind.case(output={"snapshots": "all", **output})
-    # It could yield, so that all its fields are stored, but does not; few large states, because the time goes with their number.
+    # It could yield, so that all its fields are stored, but does not. Few large states: time goes with their number.
     more = {"lower.material.hardening.yield_stress": "100 GPa", "grid.resolution": 12}
     return case.with_values({"indentation.steps": count, **more})
 
