@@ -64,7 +64,8 @@ def test_evaluations_of_every_kind_are_as_told() -> None:
         case = kind.case()
         ratios[" ".join(kind)] = case._core.forecast.evaluations / evaluations_of(case)
     beyond = {name: ratio for name, ratio in ratios.items() if not 0.5 < ratio < 2.0}
-    assert len(beyond) <= 0.1 * len(ratios), beyond
+    # Of 19 kinds, each told with a certainty of 95 of 100, more than three are beyond in one case of a hundred.
+    assert len(beyond) <= 3, beyond
     assert all(0.25 < ratio < 4.0 for ratio in beyond.values()), beyond
 
 
