@@ -369,7 +369,7 @@ void bind_body_state(nb::class_<Pair>& pair)
                 [upper](const CoupledContact& c)
                 {
                   const SurfaceGrid& surface = (upper ? c.upper() : c.lower()).grid().surface;
-                  const auto* wear = c.effect<elastoplastic::Wear>();
+                  const auto* wear = c.wear();
                   return wear != nullptr ? copy_of(wear->depth(upper ? 1 : 0), shape(surface))
                                          : array(std::vector<double>(surface.size()), shape(surface));
                 });
@@ -382,7 +382,7 @@ void bind_body_state(nb::class_<Pair>& pair)
             return p.read(
                 [upper](const CoupledContact& c)
                 {
-                  const auto* wear = c.effect<elastoplastic::Wear>();
+                  const auto* wear = c.wear();
                   return wear != nullptr ? wear->volume(upper ? 1 : 0) : 0.0;
                 });
           },

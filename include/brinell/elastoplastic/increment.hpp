@@ -164,15 +164,8 @@ public:
   [[nodiscard]] const Heating* heating() const { return heating_.get(); }
   /// The effects that act between the surfaces.
   [[nodiscard]] std::span<const std::unique_ptr<Effect>> effects() const { return effects_; }
-  /// The effect of a kind, such as Wear; nullptr where it does not act.
-  template <typename Kind>
-  [[nodiscard]] const Kind* effect() const
-  {
-    for (const std::unique_ptr<Effect>& one : effects_)
-      if (const auto* found = dynamic_cast<const Kind*>(one.get()))
-        return found;
-    return nullptr;
-  }
+  /// Material lost by both surfaces; nullptr without wear.
+  [[nodiscard]] const Wear* wear() const;
   /// Mechanical work of thermal expansion since the start, on the pressure and on the plastic strain [J].
   [[nodiscard]] double expansion_work() const;
   /// Elastic contact stiffness: change of load per change of approach, without yielding [N/m]: contact::stiffness.

@@ -126,7 +126,7 @@ public:
 
   void report(EffectTotals& totals) const override;
   void exchange(Archive& archive) override;
-  void embed(const Effect& smaller) override;
+  void embed(const Effect& smaller_grids) override;
 
 private:
   struct Side

@@ -50,8 +50,7 @@ bool Body::watches(std::span<const std::size_t> cells)
     return knows_watched_traces_;
   watched_.insert(watched_.end(), cells.begin(), cells.end());
   std::ranges::sort(watched_);
-  const auto doubled = std::ranges::unique(watched_);
-  watched_.erase(doubled.begin(), doubled.end());
+  watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
   knows_watched_traces_ = false;
   return false;
 }

@@ -14,6 +14,14 @@ Interaction CoupledContact::interaction() const
   return {interface_.get(), pressure_, slid_};
 }
 
+const Wear* CoupledContact::wear() const
+{
+  for (const std::unique_ptr<Effect>& one : effects_)
+    if (const auto* found = dynamic_cast<const Wear*>(one.get()))
+      return found;
+  return nullptr;
+}
+
 void CoupledContact::begin_effects()
 {
   const Interaction before = interaction();

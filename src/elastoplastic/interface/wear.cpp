@@ -195,9 +195,9 @@ void Wear::exchange(Archive& archive)
   archive("largest_step", largest_step_);
 }
 
-void Wear::embed(const Effect& before)
+void Wear::embed(const Effect& smaller_grids)
 {
-  const auto& smaller = dynamic_cast<const Wear&>(before);
+  const auto& smaller = dynamic_cast<const Wear&>(smaller_grids);
   for (std::size_t i = 0; i < sides_.size(); ++i)
   {
     const Side& from = smaller.sides_[i];

@@ -99,7 +99,7 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
   const auto lattice = [&](int px, int py, const DepthWaves& kept, double layers)
   {
     const double rows = wanted.symmetry == Symmetry::none ? py : py / 2 + 1;
-    const double blocks = std::ceil((px / 2 + 1) / static_cast<double>(lane_count));
+    const double blocks = std::ceil(static_cast<double>(px / 2 + 1) / lane_count);
     return rows * blocks * sizeof(ComplexLanes) *
            (copies * static_cast<double>(kept.waves.size()) + along_surface + of_layers * layers);
   };

@@ -76,16 +76,16 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
 }
 
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                               const Wanted& wanted, DepthWaves waves)
+                               const Wanted& wanted, const DepthWaves& waves)
     : OpenHeatMemory(grid, thermal, times, wanted, waves,
                      ImagesOfHeat(grid, thermal, times.duration, wanted.images, waves.has_fields))
 {
 }
 
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                               const Wanted& wanted, DepthWaves waves, const ImagesOfHeat& images)
+                               const Wanted& wanted, const DepthWaves& waves, const ImagesOfHeat& images)
     : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
-      symmetry_(wanted.symmetry), waves_(std::move(waves)),
+      symmetry_(wanted.symmetry), waves_(waves),
       near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), wanted.symmetry, layers_)
 {
   plan_images(thermal, wanted, images);

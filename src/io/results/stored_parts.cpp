@@ -80,7 +80,7 @@ std::vector<double> part_of(const std::vector<double>& field, const SurfaceGrid&
   for (int k = 0; k < z.count; ++k)
     for (int j = 0; j < y.count; ++j)
     {
-      const std::size_t layer = static_cast<std::size_t>(z.first + k * z.stride);
+      const auto layer = static_cast<std::size_t>(z.first + k * z.stride);
       const std::size_t row = (layer * grid.ny + static_cast<std::size_t>(y.first + j * y.stride)) * grid.nx;
       for (int i = 0; i < x.count; ++i)
         part.push_back(field[row + static_cast<std::size_t>(x.first + i * x.stride)]);

@@ -35,6 +35,7 @@ TensorField six_fields(const std::vector<double>& deviators, const std::vector<d
 std::vector<StepFields::CellState> whole_tensors(const std::vector<elastoplastic::CoupledContact::CellState>& cells)
 {
   std::vector<StepFields::CellState> states;
+  states.reserve(cells.size());
   for (const auto& [stress, plastic_strain, equivalent, temperature] : cells)
     states.push_back(
         {to_tensor(stress.deviator, stress.trace), to_tensor(plastic_strain, 0.0), equivalent, temperature});
@@ -109,7 +110,7 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
 
 std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side)
 {
-  const auto* wear = pair.effect<elastoplastic::Wear>();
+  const auto* wear = pair.wear();
   return wear != nullptr ? wear->depth(side) : std::span<const double>{};
 }
 

@@ -57,7 +57,7 @@ public:
   }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] const CoupledContact& contact() const { return contact_; }
-  [[nodiscard]] const Wear& wear() const { return *contact_.effect<Wear>(); }
+  [[nodiscard]] const Wear& wear() const { return *contact_.wear(); }
 
 private:
   SurfaceGrid grid_;
