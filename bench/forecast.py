@@ -25,7 +25,7 @@ import tempfile
 from typing import Any
 
 from forecast_cases import drawn
-from textures import text_of
+from texture_cases import text_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = ROOT / "build/release/bin/brinell"

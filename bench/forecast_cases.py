@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from textures import Draw, heights
+from texture_cases import Draw, heights
 
 Table = dict[str, Any]
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from forecast_cases import KINDS
 from scipy.optimize import nnls
-from textures import text_of
+from texture_cases import text_of
 
 import brinell
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a change keeps every digit: histories, fields and summaries of all cases, by two programs.
+"""Whether a change keeps every digit: histories and fields of all cases, by two programs.
 
     tools/digits.py against COMMIT [--only NAME...] [--jobs N] [--within R] [--energies-within R]
     tools/digits.py run PROGRAM FOLDER [--only NAME...] [--jobs N]
     tools/digits.py compare BEFORE AFTER [--within R] [--energies-within R]
 
 `run` computes each of cases/ with one thread and with two into FOLDER. `compare` reads two such folders: it exits with 1
-if a name has come or gone or a number is another one or, with the options, differs by more than R of the largest
-magnitude in its column or dataset. `against` builds COMMIT and the working tree with the preset `digits` and does both;
+if a case or a name has come or gone or a number is another one or, with the options, differs by more than R of the
+largest magnitude in its column or dataset. `against` builds COMMIT and the working tree with the preset `digits` and does both;
 what it needs lies in build/digits.
 
 The preset does not let the compiler contract products and sums to one instruction: it does so as it likes, and a
@@ -95,17 +95,18 @@ def difference(before: np.ndarray, after: np.ndarray) -> float:
         return np.inf
     finite = np.isfinite(a)
     size = max(np.abs(a[finite]).max(initial=0.0), np.abs(b[finite]).max(initial=0.0))
-    return float(np.abs(a[finite] - b[finite]).max(initial=0.0) / size) if size > 0.0 else float(np.spacing(0.0))
+    part = float(np.abs(a[finite] - b[finite]).max(initial=0.0) / size) if size > 0.0 else 0.0
+    return max(part, float(np.spacing(0.0)))  # also where only a sign of zero differs, or how a number is printed
 
 
 def compare(before: Path, after: Path, within: float, energies_within: float) -> int:
     """Prints what differs; the number of names that differ by more than is allowed."""
     refused = differing = compared = 0
     digest = hashlib.sha256()
-    for path in sorted(before.glob("*/*/summary.json")):
-        result = path.parent.relative_to(before)
-        if not (after / result / "summary.json").exists():
-            print(f"{result}: missing")
+    there = [{path.parent.relative_to(folder) for path in folder.glob("*/*/summary.json")} for folder in (before, after)]
+    for result in sorted(there[0] | there[1]):
+        if not all(result in results for results in there):
+            print(f"{result}: only {'after' if result in there[1] else 'before'}")
             refused += 1
             continue
         old, new = numbers(before / result), numbers(after / result)

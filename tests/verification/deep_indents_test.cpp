@@ -9,9 +9,11 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
-/// Deep indents of soft metals, whose strains are many times the yield strain: an increment converges in one piece.
+/// Deep indents of soft metals, whose strains are many times the yield strain: an increment converges in one piece, to the result of
+/// far smaller tolerances.
 namespace brinell::verification::deep_indents_test
 {
 namespace
@@ -66,6 +68,25 @@ TEST(DeepIndents, ConvergeInOnePiece)
         test::expect_within(label + ": most evaluations in a step", most, 2.0, bound, "bound: one attempt");
         EXPECT_EQ(run.summary.split_increments, 0) << label;
       }
+}
+
+// The yield error is relative to the yield stress, of which the load is a multiple; the displacement of an increment has a smaller one.
+TEST(DeepIndents, HaveTheResultOfFarSmallerTolerances)
+{
+  if (slow_build)
+    GTEST_SKIP() << too_slow;
+  IndentationCase c = indented(500.0, 0.0, false);
+  const double tolerance = c.solver.yield_tolerance;
+  const simulation::Indent found = computed(c).summary.indents.front();
+  for (double* one : {&c.solver.yield_tolerance, &c.solver.displacement_tolerance, &c.solver.contact_tolerance})
+    *one *= 1e-2;
+  c.solver.max_evaluations = 600;
+  const simulation::Indent exact = computed(c).summary.indents.front();
+  for (const auto& [what, a, b] : {std::tuple{"largest load", found.max_load, exact.max_load},
+                                   {"residual depth", found.residual_depth, exact.residual_depth},
+                                   {"pile-up", found.pile_up, exact.pile_up}})
+    test::expect_within(std::string(what) + " over that of tolerances a hundred times smaller", a / b, 1.0 - tolerance,
+                        1.0 + tolerance, "theory: the yield tolerance");
 }
 
 } // namespace

@@ -61,7 +61,8 @@ public:
   /// Begins an increment.
   /// @param before  interaction before it
   virtual void begin(const Interaction& before) = 0;
-  /// Takes over the interaction of a trial.
+  /// Takes over the interaction of a trial. Called where pressure and effects are solved in turns: with friction, with heat, and if
+  /// `Effects::need_turns`; elsewhere what `begin` has set holds for the whole increment.
   /// @returns the largest change of the gap [m]
   virtual double evaluate(const Interaction& trial) = 0;
   /// Change of the gap per pressure, in each cell [m/Pa], >= 0; empty: none.

@@ -131,19 +131,20 @@ public:
   /// @param columns  by which the contact grid moves on both bodies
   void recall(const std::array<VolumeGrid, 2>& grids, const std::array<Place, 2>& places,
               const std::array<double, 2>& columns);
-  /// Checks, before anything is committed, that the thermal grids reach as far as the pressure and the heat of the trial and the
-  /// plastic work of the increment.
+  /// Finds the final fluxes of an increment, before `settle`.
+  /// @param heat_per_area  as for `follow`, with the heat of points that left the contact
+  /// @throws ConvergenceError if the partition of the heat between the surfaces does not converge
+  void find_fluxes(std::span<const double> pressure, std::span<const double> heat_per_area);
+  /// Checks that the thermal grids reach as far as the pressure and the fluxes of the increment and its plastic work.
   /// @param works  plastic work of the bodies as in `settle_work`; empty where it does not heat
   /// @param grids  of the bodies
   /// @throws GridError
   void require_room(std::span<const double> pressure, const std::array<std::vector<double>, 2>& works,
                     const std::array<VolumeGrid, 2>& grids) const;
-  /// Ends an increment.
-  /// @param heat_per_area  as for `follow`
-  /// @param shears         mean shears of the increment on the lower surface, for their work on the thermal displacement [Pa];
-  ///                       empty parts do no work
-  void settle(std::span<const double> pressure, std::span<const double> heat_per_area,
-              const std::array<std::span<const double>, 2>& shears = {});
+  /// Ends an increment, after `find_fluxes` and `require_room`, which find all that may fail.
+  /// @param shears  mean shears of the increment on the lower surface, for their work on the thermal displacement [Pa]; empty parts
+  ///                do no work
+  void settle(std::span<const double> pressure, const std::array<std::span<const double>, 2>& shears = {});
   /// Adds the plastic work of the increment in a body that is solved; to be called before `settle`.
   /// @param side  0: lower, 1: upper, unless it is a twin
   /// @param work  plastic work per cell of the body's grid [J/m^3]

@@ -283,7 +283,8 @@ private:
   [[nodiscard]] double largest_depth_of_effects() const;
   void begin_heating(const Placement& placement, const Strategy& strategy);
   [[nodiscard]] std::array<std::vector<double>, 2> works_that_heat() const;
-  void settle_heating(const Strategy& strategy, const std::array<std::vector<double>, 2>& works);
+  void find_heat_of_increment(const Strategy& strategy, const std::array<std::vector<double>, 2>& works);
+  void settle_heating(const std::array<std::vector<double>, 2>& works);
   [[nodiscard]] double follow_heat(Heating::Sharing sharing);
   [[nodiscard]] std::vector<double> temperature(std::size_t side, const BodyView& view) const;
   void add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const;

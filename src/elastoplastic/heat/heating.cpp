@@ -155,26 +155,30 @@ void Heating::require_room(std::span<const double> pressure, const std::array<st
   }
 }
 
-void Heating::settle(std::span<const double> pressure, std::span<const double> heat_per_area,
-                     const std::array<std::span<const double>, 2>& shears)
+void Heating::find_fluxes(std::span<const double> pressure, std::span<const double> heat_per_area)
 {
   State& s = *state_;
   if (s.duration == 0.0)
     return;
   std::vector<double> heat = s.power_of(heat_per_area);
-  const double total = sum(heat) * s.duration * s.contact.cell_area();
-  s.heat_of_friction += total;
-  if (is_steady() && !s.slides)
-  {
-    // Without sliding, heat comes only from work that the deformation returns; it is counted, but is not a steady source.
-    s.add_heat_without_flux(total);
+  s.friction_of_increment = sum(heat) * s.duration * s.contact.cell_area();
+  if (s.heats_without_flux())
     std::fill(heat.begin(), heat.end(), 0.0);
-  }
-  double power = s.add_source_between(pressure, heat);
+  s.power_of_source = s.add_source_between(pressure, heat);
   if (s.is_source_on)
-    power += sum(s.imposed) * s.contact.cell_area();
-  s.heat_of_source += power * s.duration;
+    s.power_of_source += sum(s.imposed) * s.contact.cell_area();
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
+}
+
+void Heating::settle(std::span<const double> pressure, const std::array<std::span<const double>, 2>& shears)
+{
+  State& s = *state_;
+  if (s.duration == 0.0)
+    return;
+  s.heat_of_friction += s.friction_of_increment;
+  if (s.heats_without_flux())
+    s.add_heat_without_flux(s.friction_of_increment);
+  s.heat_of_source += s.power_of_source * s.duration;
   s.count_held();
   for (HeatedSide& side : s.sides)
     side.settle();

@@ -45,6 +45,7 @@ struct Heating::State
   std::array<std::vector<double>, 2> along_before{}; ///< relative displacement, lower minus upper, along x and y [m]
   bool is_source_on = false;                         ///< whether a source acts
   TouchingCells touching{};
+  double friction_of_increment = 0.0, power_of_source = 0.0; ///< heat of friction [J], and power that acted [W]
   // Since the start [J]
   double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_tractions = 0.0;
   int most_held = 0; ///< largest number of held cells in an increment
@@ -55,6 +56,9 @@ struct Heating::State
   {
     return is_source_on && settings.source.shape == HeatSource::Shape::contact;
   }
+  /// Whether the heat of the increment is counted, but is no steady source: without sliding it comes only from work that the
+  /// deformation returns.
+  [[nodiscard]] bool heats_without_flux() const { return settings.regime == HeatRegime::steady && !slides; }
   [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
   [[nodiscard]] std::vector<double> power_of(std::span<const double> heat_per_area) const;
   [[nodiscard]] std::vector<double> relative_displacement(std::size_t axis) const;

@@ -172,8 +172,9 @@ std::ptrdiff_t CoupledContact::windows() const
   return std::count_if(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.was_windowed(); });
 }
 
-/// Whether the errors of the fixed point are within `factor` times their tolerances. That of the residual displacement refers to the scale of
-/// the run, or to the largest change of this displacement in the increment if that is larger, but not to more than the largest approach.
+/// Whether the errors of the fixed point are within `factor` times their tolerances. That of the residual displacement refers
+/// to the scale of the run, or to the largest change of this displacement in the increment if that is larger, but not to more
+/// than the largest approach.
 bool CoupledContact::is_within(double factor, const IncrementReport& report) const
 {
   const double tolerance = factor * settings_.displacement_tolerance;
@@ -353,23 +354,19 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   }
   if (std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.leaves_grid; }))
     throw GridError("the contact has reached the end of a material grid");
-  const std::array<std::vector<double>, 2> works = works_that_heat();
-  if (heating_)
-    heating_->require_room(pressure_, works, {lower().grid(), upper().grid()});
-  // From here on nothing may fail: what is committed cannot be taken back.
-  on_sides(
-      [&](std::size_t side)
-      {
-        sides_[side].body.complete_trial();
-        sides_[side].body.commit(sides_[side].load());
-      });
-  report.energy = energy(imposed_approach(drive, report.approach)); // after commit, which computes the locked-in part
+  on_sides([&](std::size_t side) { sides_[side].body.complete_trial(); });
   if (interface_)
     settle_friction(placement);
+  const std::array<std::vector<double>, 2> works = works_that_heat();
+  if (heating_)
+    find_heat_of_increment(strategy, works);
+  // From here on nothing may fail: what is committed cannot be taken back.
+  on_sides([&](std::size_t side) { sides_[side].body.commit(sides_[side].load()); });
+  report.energy = energy(imposed_approach(drive, report.approach)); // after commit, which computes the locked-in part
   for (const std::unique_ptr<Effect>& effect : effects_)
     effect->commit(interaction(), placement);
   if (heating_)
-    settle_heating(strategy, works);
+    settle_heating(works);
   placement_ = placement;
   approach_ = report.approach;
   rollback.commit();

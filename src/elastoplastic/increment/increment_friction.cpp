@@ -192,8 +192,8 @@ double CoupledContact::tolerance_of_gap() const
   return interface_ ? interface_->tolerance_of_gap(usual) : usual;
 }
 
-/// Solves alternately for pressure and for shear, heat and other effects, until the gap no longer changes; one turn if they do not affect
-/// the gap.
+/// Solves alternately for pressure and for shear, heat and other effects, until the gap no longer changes; one turn if they
+/// do not affect the gap.
 /// @param closing  whether the increment may end with this evaluation. If not, the effect of heat on the gap is not iterated to
 ///                 convergence but taken into account in the next evaluation.
 void CoupledContact::solve_frictional_contact(const contact::Drive& drive, const Placement& placement,

@@ -47,13 +47,21 @@ std::array<std::vector<double>, 2> CoupledContact::works_that_heat() const
   return works;
 }
 
-void CoupledContact::settle_heating(const Strategy& strategy, const std::array<std::vector<double>, 2>& works)
+/// Final heat of a converged increment, before anything is committed.
+/// @throws GridError, ConvergenceError
+void CoupledContact::find_heat_of_increment(const Strategy& strategy, const std::array<std::vector<double>, 2>& works)
+{
+  heating_->find_fluxes(pressure_, interface_->heat_of_increment(strategy.slid));
+  heating_->require_room(pressure_, works, {lower().grid(), upper().grid()});
+}
+
+void CoupledContact::settle_heating(const std::array<std::vector<double>, 2>& works)
 {
   for (std::size_t side = 0; side < sides_.size(); ++side)
     if (!works[side].empty())
       heating_->settle_work(side, works[side], sides_[side].body.grid());
   const std::array<std::vector<double>, 2> shears = interface_->mean_shears();
-  heating_->settle(pressure_, interface_->heat_of_increment(strategy.slid), {shears[0], shears[1]});
+  heating_->settle(pressure_, {shears[0], shears[1]});
 }
 
 double CoupledContact::expansion_work() const
