@@ -5,7 +5,7 @@
 #include "brinell/elastoplastic/active_cells.hpp"
 #include "brinell/elastoplastic/plastic_zone.hpp"
 #include "brinell/elastoplastic/settings.hpp"
-#include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/field_table.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
@@ -35,7 +35,25 @@ struct BodyState
   double thermal_work = 0.0;            ///< work of the thermal stress on the plastic strain since the start [J]
   std::vector<double> softening{};      ///< current factors on the yield stress of the cells; empty: 1 everywhere
 
-  void exchange(Archive& archive);
+  static constexpr auto table()
+  {
+    using S = BodyState;
+    constexpr auto deviator = InMirror::deviator;
+    return std::tuple{listed(&S::plastic_strain, {"plastic_strain"}, {.in_mirror = deviator}),
+                      listed(&S::equivalent, {"equivalent"}),
+                      listed(&S::backstress, {"backstress"}, {.in_mirror = deviator}),
+                      listed(&S::stress, {"stress"}, {.is_derived = true, .in_mirror = deviator}),
+                      listed(&S::residual_displacement, {"residual_displacement"}, {.is_derived = true}),
+                      listed(&S::residual_displacement_x, {"residual_displacement_x"},
+                             {.is_derived = true, .in_mirror = InMirror::odd}),
+                      listed(&S::residual_displacement_y, {"residual_displacement_y"}, {.is_derived = true}),
+                      listed(&S::dissipation, {"dissipation"}),
+                      listed(&S::locked_in_energy, {"locked_in_energy"}, {.is_derived = true}),
+                      listed(&S::thermal_stress, {"thermal_stress"}, {.is_sized = true, .in_mirror = deviator}),
+                      listed(&S::thermal_work, {"thermal_work"}),
+                      listed(&S::softening, {"softening"}, {.is_sized = true})};
+  }
+  void exchange(Archive& archive) { exchange_members(archive, *this); }
 };
 
 class Window;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/contact/tangential_contact.hpp"
-#include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/field_table.hpp"
 
 #include <array>
 #include <functional>

@@ -77,7 +77,7 @@ public:
   [[nodiscard]] int sticking_cells() const { return state_.sticking; }
   [[nodiscard]] int pressed_cells() const { return state_.pressed; }
 
-  void exchange(Archive& archive) override { state_.exchange(archive); }
+  void exchange(Archive& archive) override { exchange_members(archive, state_); }
   void embed(const Interface& smaller) override;
   void recall(const Bodies& bodies) override;
 
@@ -98,7 +98,22 @@ private:
     double limited_share = 0.0;
     int sticking = 0, pressed = 0;
 
-    void exchange(Archive& archive);
+    static constexpr auto table()
+    {
+      using S = State;
+      return std::tuple{listed(&S::shear, {"shear_x", "shear_y"}),
+                        listed(&S::slip, {"slip_x", "slip_y"}, {.is_carried = true}),
+                        listed(&S::path, {"path"}, {.is_carried = true}),
+                        listed(&S::heat, {"heat"}, {.is_carried = true}),
+                        listed(&S::depth, {"depth"}, {.is_derived = true}),
+                        listed(&S::shift, {"shift_x", "shift_y"}),
+                        listed(&S::turned, {"turned"}),
+                        listed(&S::work, {"work"}),
+                        listed(&S::total_heat, {"total_heat"}),
+                        listed(&S::limited_share, {"limited_share"}, {.range = std::pair{0.0, 1.0}}),
+                        listed(&S::sticking, {"sticking"}),
+                        listed(&S::pressed, {"pressed"})};
+    }
   };
 
   void advect(const Bodies& bodies);

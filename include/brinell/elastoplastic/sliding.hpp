@@ -62,7 +62,7 @@ public:
   /// rest before it, per area [J/m^2].
   [[nodiscard]] std::vector<double> heat_of_increment(double slid) const override;
 
-  void exchange(Archive& archive) override { state_.exchange(archive); }
+  void exchange(Archive& archive) override { exchange_members(archive, state_); }
   void embed(const Interface& smaller) override;
   /// Recomputes the displacements under shear and pressure.
   void recall(const Bodies& bodies) override { find_displacements(bodies); }
@@ -82,7 +82,18 @@ private:
     double work = 0.0;
     double limited_share = 0.0;
 
-    void exchange(Archive& archive);
+    static constexpr auto table()
+    {
+      using S = State;
+      return std::tuple{listed(&S::shear, {"shear"}),
+                        listed(&S::depth, {"depth"}, {.is_derived = true}),
+                        listed(&S::slip, {"slip"}, {.is_derived = true}),
+                        listed(&S::lower_stretch, {"lower_stretch"}, {.is_derived = true}),
+                        listed(&S::upper_stretch, {"upper_stretch"}, {.is_derived = true}),
+                        listed(&S::work_at_rest, {"work_at_rest"}),
+                        listed(&S::work, {"work"}),
+                        listed(&S::limited_share, {"limited_share"})};
+    }
   };
 
   void set_shear_at_start(std::span<const double> pressure);

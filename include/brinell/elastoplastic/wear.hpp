@@ -111,37 +111,49 @@ public:
 
   [[nodiscard]] const WearLaw& law() const { return law_; }
   /// Worn depth since the start of the lower (0) or upper (1) surface.
-  [[nodiscard]] std::span<const double> depth(std::size_t side) const { return sides_.at(side).depth; } ///< [m]
+  [[nodiscard]] std::span<const double> depth(std::size_t side) const { return state_.depth.at(side); } ///< [m]
   [[nodiscard]] double largest_depth(std::size_t side) const;                                           ///< [m]
   [[nodiscard]] double largest_depth() const override { return std::max(largest_depth(0), largest_depth(1)); }
   /// Worn volume, summed from the increments on the contact grid [m^3]; equals the sum of the depth over the cells up to
   /// rounding.
-  [[nodiscard]] double volume(std::size_t side) const { return sides_.at(side).volume; }
+  [[nodiscard]] double volume(std::size_t side) const { return state_.volume.at(side); }
   /// Largest depth lost by both surfaces together in one increment [m].
-  [[nodiscard]] double largest_step() const { return largest_step_; }
+  [[nodiscard]] double largest_step() const { return state_.largest_step; }
   /// Work of the pressure on the worn depth [J].
-  [[nodiscard]] double work() const { return work_; }
+  [[nodiscard]] double work() const { return state_.work; }
   /// Adds the worn depth of a surface to the cells of the contact grid above it [m].
   void add_depth(std::size_t side, const Place& place, std::span<double> out) const override;
 
   void report(EffectTotals& totals) const override;
-  void exchange(Archive& archive) override;
+  void exchange(Archive& archive) override { exchange_members(archive, state_); }
   void embed(const Effect& smaller_grids) override;
 
 private:
   struct Side
   {
     SurfaceGrid grid;
-    double share;              ///< share of this surface in the wear of both
-    std::vector<double> depth; ///< [m]
-    double volume = 0.0;       ///< [m^3]
+    double share; ///< share of this surface in the wear of both
+  };
+  /// Wear since the start.
+  struct State
+  {
+    std::array<std::vector<double>, 2> depth; ///< on the grids of the surfaces [m]
+    std::array<double, 2> volume{};           ///< [m^3]
+    double work = 0.0, largest_step = 0.0;
+
+    static constexpr auto table()
+    {
+      return std::tuple{listed(&State::depth, {"lower.depth", "upper.depth"}),
+                        listed(&State::volume, {"lower.volume", "upper.volume"}), listed(&State::work, {"work"}),
+                        listed(&State::largest_step, {"largest_step"})};
+    }
   };
 
   SurfaceGrid contact_;
   WearLaw law_;
   double explicit_limit_; ///< worn depth per pressure that an explicit scheme bears in an increment [m/Pa]
   std::array<Side, 2> sides_;
-  double work_ = 0.0, largest_step_ = 0.0;
+  State state_;
   std::vector<double> compliance_, pressure_before_; ///< of the current increment
   std::vector<double> from_onset_; ///< depth lost in it by both surfaces whatever the pressure at its end [m]
 };

@@ -23,25 +23,6 @@ constexpr double active_share = 0.8;
 
 } // namespace
 
-void BodyState::exchange(Archive& archive)
-{
-  archive("plastic_strain", plastic_strain);
-  archive("equivalent", equivalent);
-  if (!backstress.empty())
-    archive("backstress", backstress);
-  archive("stress", stress);
-  archive("residual_displacement", residual_displacement);
-  if (!residual_displacement_x.empty())
-    archive("residual_displacement_x", residual_displacement_x);
-  if (!residual_displacement_y.empty())
-    archive("residual_displacement_y", residual_displacement_y);
-  archive("dissipation", dissipation);
-  archive("locked_in_energy", locked_in_energy);
-  archive.list("thermal_stress", thermal_stress);
-  archive("thermal_work", thermal_work);
-  archive.list("softening", softening);
-}
-
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
            const constitutive::Material& material, bool shortcuts, halfspace::Displacements displacements,
            Symmetry symmetry, bool windows)

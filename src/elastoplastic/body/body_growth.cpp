@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
+#include "brinell/elastoplastic/placement.hpp"
 #include "window.hpp"
-
-#include <algorithm>
 
 namespace brinell::elastoplastic
 {
@@ -10,22 +9,16 @@ namespace brinell::elastoplastic
 namespace
 {
 
-/// Copies fields of a grid into the centre of a larger grid, from the surface downwards.
-void embed(const std::vector<double>& from, const VolumeGrid& small, std::vector<double>& to, const VolumeGrid& large)
+/// Copies fields of a grid into the centre of a larger grid, from the surface downwards. Values outside stay; they are 0 if the
+/// field had no values before.
+void embed(const VolumeGrid& small, std::span<const double> from, const VolumeGrid& large, std::vector<double>& to)
 {
-  const SurfaceGrid& s = small.surface;
-  const SurfaceGrid& l = large.surface;
-  const int columns = (l.nx - s.nx) / 2;
-  const int rows = (l.ny - s.ny) / 2;
   const std::size_t fields = from.size() / small.size();
+  to.resize(fields * large.size());
   for (std::size_t field = 0; field < fields; ++field)
     for (int k = 0; k < small.nz; ++k)
-      for (int j = 0; j < s.ny; ++j)
-      {
-        const double* row = from.data() + field * small.size() + small.index(0, j, k);
-        const std::size_t at = field * large.size() + large.index(columns, j + rows, k);
-        std::copy_n(row, s.nx, to.begin() + static_cast<std::ptrdiff_t>(at));
-      }
+      embed_field(small.surface, from.subspan(field * small.size() + small.index(0, 0, k)), large.surface,
+                  std::span(to).subspan(field * large.size() + large.index(0, 0, k)));
 }
 
 /// Factor on the yield stress far from all heat, at the bulk temperature.
@@ -40,17 +33,21 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
 {
   if (!is_plastic())
     return;
-  embed(history.plastic_strain, from, state_.plastic_strain, grid());
-  embed(history.equivalent, from, state_.equivalent, grid());
-  zone_ = PlasticZone(grid(), state_.equivalent);
-  embed(history.backstress, from, state_.backstress, grid());
-  state_.dissipation = history.dissipation;
-  state_.thermal_work = history.thermal_work;
-  state_.thermal_stress.assign(history.thermal_stress.empty() ? 0 : Deviator::size * grid().size(), 0.0);
-  embed(history.thermal_stress, from, state_.thermal_stress, grid());
-  has_own_thermal_stress_ = false;
   state_.softening.assign(history.softening.empty() ? 0 : grid().size(), softening_far_away(material_));
-  embed(history.softening, from, state_.softening, grid());
+  for_parts(
+      [&](std::string_view /*name*/, const Traits& traits, const auto& before, auto& now)
+      {
+        if constexpr (requires { before.size(); })
+        {
+          if (!traits.is_derived)
+            embed(from, before, grid(), now);
+        }
+        else if (!traits.is_derived)
+          now = before;
+      },
+      history, state_);
+  zone_ = PlasticZone(grid(), state_.equivalent);
+  has_own_thermal_stress_ = false;
   softening_ = state_.softening;
   prepare_trial();
   work_ = half_space_->make_work();

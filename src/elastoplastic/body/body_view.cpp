@@ -34,19 +34,22 @@ void reverse_deviators(std::vector<double>& fields, int nx, std::size_t cells)
 
 BodyState BodyView::state() const
 {
-  const BodyState& solved = solved_->state();
-  return {deviators(&BodyState::plastic_strain),
-          scalars(&BodyState::equivalent),
-          deviators(&BodyState::backstress),
-          deviators(&BodyState::stress),
-          scalars(&BodyState::residual_displacement),
-          turned(solved.residual_displacement_x, -1.0),
-          turned(solved.residual_displacement_y, 1.0),
-          solved.dissipation,
-          solved.locked_in_energy,
-          deviators(&BodyState::thermal_stress),
-          solved.thermal_work,
-          scalars(&BodyState::softening)};
+  BodyState state = solved_->state();
+  if (!is_mirrored())
+    return state;
+  for_parts(
+      [&](std::string_view /*name*/, const Traits& traits, auto& part)
+      {
+        if constexpr (requires { part.size(); })
+        {
+          if (traits.in_mirror == InMirror::deviator)
+            reverse_deviators(part, grid().surface.nx, grid().size());
+          else
+            reverse_rows(part, grid().surface.nx, traits.in_mirror == InMirror::odd ? -1.0 : 1.0);
+        }
+      },
+      state);
+  return state;
 }
 
 void BodyView::turn(std::vector<double>& deviators, std::vector<double>& scalars) const

@@ -83,10 +83,10 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
     if (heated.count > 0)
       plastic_.emplace(grid_, run.settings.of_plastic_work);
   }
-  for (std::vector<double>* field : {&remaining_temperature_, &normal_before_, &pressure_})
+  for (std::vector<double>* field : {&remaining_temperature_, &normal_before_, &state_.pressure})
     field->assign(grid_.size(), 0.0);
   for (std::size_t part = 0; part < (numerics.along_surface ? 3u : 1u); ++part)
-    for (Displacement* displacement : {&remaining_displacement_, &displacement_})
+    for (Displacement* displacement : {&remaining_displacement_, &state_.displacement})
       (*displacement)[part].assign(grid_.size(), 0.0);
   if (is_stressed_)
     stress_.assign(Deviator::size * volume.size(), 0.0);
@@ -152,11 +152,11 @@ void BodyHeat::settle(std::span<const double> flux)
   }
   if (!swells_)
     return;
-  normal_before_ = displacement_[0];
+  normal_before_ = state_.displacement[0];
   if (steady_)
-    steady_->displacement(displacement_[0]);
+    steady_->displacement(state_.displacement[0]);
   else
-    field_->displacement(all_of(displacement_));
+    field_->displacement(all_of(state_.displacement));
 }
 
 void BodyHeat::restore()
@@ -264,8 +264,8 @@ double BodyHeat::work_against(std::span<const double> pressure)
 {
   double work = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i)
-    work -= 0.5 * (pressure_[i] + pressure[i]) * (displacement_[0][i] - normal_before_[i]);
-  pressure_.assign(pressure.begin(), pressure.end());
+    work -= 0.5 * (state_.pressure[i] + pressure[i]) * (state_.displacement[0][i] - normal_before_[i]);
+  state_.pressure.assign(pressure.begin(), pressure.end());
   return work * grid_.cell_area();
 }
 
@@ -275,13 +275,7 @@ void BodyHeat::exchange(Archive& archive)
     archive("steady", *steady_);
   else
     archive("field", *field_);
-  archive("displacement", displacement_[0]);
-  if (!displacement_[1].empty())
-  {
-    archive("displacement_x", displacement_[1]);
-    archive("displacement_y", displacement_[2]);
-  }
-  archive("pressure", pressure_);
+  exchange_members(archive, state_);
   if (plastic_)
     archive("plastic", *plastic_);
 }

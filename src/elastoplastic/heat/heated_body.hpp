@@ -55,7 +55,7 @@ public:
   [[nodiscard]] const std::vector<double>& remaining_temperature() const { return remaining_temperature_; }
   [[nodiscard]] const Displacement& remaining_displacement() const { return remaining_displacement_; }
   /// Thermal displacement at the end of the last step.
-  [[nodiscard]] const Displacement& displacement() const { return displacement_; }
+  [[nodiscard]] const Displacement& displacement() const { return state_.displacement; }
   /// Thermal stress at the end of the current step, on the material grid [Pa]; empty if it is not needed.
   [[nodiscard]] const std::vector<double>& stress() const { return stress_; }
   /// Factors on the yield stress at the end of the current step, on the material grid; empty if they are not needed.
@@ -90,8 +90,20 @@ private:
   std::vector<double> expected_;
   std::vector<double> remaining_temperature_, stress_, softening_, buffer_;
   Displacement remaining_displacement_;
-  Displacement displacement_;                    ///< at the end of the last step
-  std::vector<double> normal_before_, pressure_; ///< normal displacement before the last step, pressure at its end
+  /// At the end of the last step, apart from the heat itself.
+  struct State
+  {
+    Displacement displacement;
+    std::vector<double> pressure;
+
+    static constexpr auto table()
+    {
+      return std::tuple{listed(&State::displacement, {"displacement", "displacement_x", "displacement_y"}),
+                        listed(&State::pressure, {"pressure"})};
+    }
+  };
+  State state_;
+  std::vector<double> normal_before_; ///< normal displacement before the last step
 };
 
 /// Copies a field to another grid with the same centre and the same cells; zero outside the first grid.

@@ -49,13 +49,14 @@ HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material&
     : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference),
       along_surface_(along_surface)
 {
-  for (std::vector<double>* field : {&share_, &flux_, &flux_before_, &last_share_, &share_before_})
+  assign_fields(state_, contact.size());
+  for (std::vector<double>* field : {&share_, &flux_before_})
     field->assign(contact.size(), 0.0);
   for (std::size_t part = 0; part < parts(); ++part)
     for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
       (*displacement)[part].assign(contact.size(), 0.0);
   remaining_.assign(contact.size(), material.temperature);
-  temperature_ = remaining_;
+  state_.temperature = remaining_;
 }
 
 /// Interpolates a field of the thermal grid to the contact grid.
@@ -142,11 +143,11 @@ HeatedSide::Responses& HeatedSide::responses()
 /// Extrapolates the share linearly in time from the last two steps, on the contact grid; each is the mean over its step.
 std::vector<double> HeatedSide::expected_share(double duration) const
 {
-  const double ahead = last_duration_ > 0.0 ? 0.5 * (duration + last_duration_) / last_duration_ : 0.0;
-  std::vector<double> expected(last_share_);
+  const double ahead = state_.duration > 0.0 ? 0.5 * (duration + state_.duration) / state_.duration : 0.0;
+  std::vector<double> expected(state_.share);
   for (std::size_t i = 0; i < expected.size(); ++i)
-    if (last_share_[i] != 0.0)
-      expected[i] += std::min(ahead, 1.0) * (last_share_[i] - share_before_[i]);
+    if (state_.share[i] != 0.0)
+      expected[i] += std::min(ahead, 1.0) * (state_.share[i] - state_.share_before[i]);
   return expected;
 }
 
@@ -178,7 +179,7 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
                        std::span<const double> imposed)
 {
   imposed_.assign(imposed.begin(), imposed.end());
-  flux_before_ = flux_;
+  flux_before_ = state_.flux;
   if (!conducts())
     return;
   duration_ = without_rounding(duration);
@@ -199,7 +200,7 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
   if (swells())
     set_from(heat_->remaining_displacement(), remaining_displacement_);
   impose(imposed_);
-  set_share(is_new ? none : last_share_);
+  set_share(is_new ? none : state_.share);
 }
 
 void HeatedSide::find_rise(std::span<const double> flux, std::span<double> rise)
@@ -213,7 +214,7 @@ void HeatedSide::find_rise(std::span<const double> flux, std::span<double> rise)
 double HeatedSide::set_share(std::span<const double> flux)
 {
   share_.assign(flux.begin(), flux.end());
-  flux_ = with_imposed(share_);
+  state_.flux = with_imposed(share_);
   if (!swells())
     return 0.0;
   const Displacement before = own_displacement_;
@@ -252,13 +253,13 @@ void HeatedSide::recall(const VolumeGrid& body, const Place& place, double colum
   for (std::vector<double>& part : own_displacement_)
     std::fill(part.begin(), part.end(), 0.0);
   const int moved = static_cast<int>(std::lround(columns)), nx = contact_.nx;
-  for (std::size_t axis = 0; axis < 2 && !along_at_end_[axis].empty(); ++axis)
+  for (std::size_t axis = 0; axis < 2 && !state_.along[axis].empty(); ++axis)
     for (int j = 0; j < contact_.ny; ++j)
       for (int i = 0; i < nx; ++i)
       {
         const int before = contact_.is_periodic_x() ? ((i + moved) % nx + nx) % nx : i + moved;
         if (before >= 0 && before < nx)
-          remaining_displacement_[1 + axis][contact_.index(i, j)] = along_at_end_[axis][contact_.index(before, j)];
+          remaining_displacement_[1 + axis][contact_.index(i, j)] = state_.along[axis][contact_.index(before, j)];
       }
 }
 
@@ -267,33 +268,33 @@ void HeatedSide::require_room(std::span<const double> pressure) const
   if (!conducts() || is_mirrored_)
     return;
   static_cast<void>(on_body(pressure, "pressure"));
-  static_cast<void>(on_body(flux_, "heat"));
+  static_cast<void>(on_body(state_.flux, "heat"));
 }
 
 void HeatedSide::settle()
 {
-  share_before_ = last_share_;
-  last_share_ = share_;
-  last_duration_ = duration_;
-  total_ += sum(flux_) * contact_.cell_area() * duration_;
+  state_.share_before = state_.share;
+  state_.share = share_;
+  state_.duration = duration_;
+  state_.total += sum(state_.flux) * contact_.cell_area() * duration_;
   if (!conducts())
     return;
   if (swells() && along_surface_)
     for (std::size_t axis = 0; axis < 2; ++axis)
     {
-      along_at_end_[axis].assign(share_.size(), 0.0);
-      add_along(axis, along_at_end_[axis]);
+      state_.along[axis].assign(share_.size(), 0.0);
+      add_along(axis, state_.along[axis]);
     }
-  find_rise(share_, temperature_);
-  for (std::size_t i = 0; i < temperature_.size(); ++i)
-    temperature_[i] += remaining_[i];
+  find_rise(share_, state_.temperature);
+  for (std::size_t i = 0; i < state_.temperature.size(); ++i)
+    state_.temperature[i] += remaining_[i];
   if (conducts() && !is_mirrored_)
-    heat_->settle(on_body(flux_, "heat"));
+    heat_->settle(on_body(state_.flux, "heat"));
 }
 
 void HeatedSide::restore()
 {
-  flux_ = flux_before_;
+  state_.flux = flux_before_;
   if (conducts() && !is_mirrored_)
     heat_->restore();
 }
@@ -309,18 +310,8 @@ void HeatedSide::add_depth(const SurfaceGrid& body, const Place& place, std::spa
 
 void HeatedSide::exchange(Archive& archive)
 {
-  archive("temperature", temperature_);
-  archive("flux", flux_);
-  archive("share", last_share_);
-  archive("share_before", share_before_);
-  archive("duration", last_duration_);
-  archive("total", total_);
-  if (swells() && along_surface_)
-  {
-    archive.list("along_x", along_at_end_[0]);
-    archive.list("along_y", along_at_end_[1]);
-  }
-  share_ = last_share_;
+  exchange_members(archive, state_);
+  share_ = state_.share;
   if (conducts() && !is_mirrored_)
     archive("heat", *heat_);
 }
@@ -333,14 +324,21 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
     embed_field(contact_, field, contact, moved);
     field = std::move(moved);
   };
-  for (std::vector<double>* field : {&share_, &flux_, &flux_before_, &last_share_, &share_before_})
+  for (std::vector<double>* field : {&share_, &flux_before_})
     move(*field, 0.0);
   for (std::size_t part = 0; part < parts(); ++part)
     for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
       move((*displacement)[part], 0.0);
-  along_at_end_ = {}; // the points that are new under the grid are known from the field only
+  state_.along = {}; // the points that are new under the grid are known from the field only
   move(remaining_, material_.temperature);
-  move(temperature_, material_.temperature);
+  for_parts(
+      [&](std::string_view /*name*/, const Traits& traits, auto& part)
+      {
+        if constexpr (requires { part.size(); })
+          if (!traits.is_derived)
+            move(part, &part == &state_.temperature ? material_.temperature : 0.0);
+      },
+      state_);
   imposed_.clear();
   contact_ = contact;
   cached_responses_.clear();

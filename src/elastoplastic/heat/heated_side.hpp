@@ -41,7 +41,7 @@ public:
   /// @throws GridError
   void require_room(std::span<const double> pressure) const;
   void settle();
-  void add_heat_without_flux(double heat) { total_ += heat; } ///< adds heat that is not applied as a flux [J]
+  void add_heat_without_flux(double heat) { state_.total += heat; } ///< adds heat that is not applied as a flux [J]
   void restore();
 
   /// Surface temperature at the end of the step [deg C] due to earlier steps and to the imposed flux alone.
@@ -56,14 +56,14 @@ public:
   double set_share(std::span<const double> flux);
   [[nodiscard]] const std::vector<double>& share() const { return share_; }
   /// Total flux of the current step [W/m^2]: share and imposed flux.
-  [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
+  [[nodiscard]] const std::vector<double>& flux() const { return state_.flux; }
   void add_displacement(std::span<double> gap) const;
   void add_along(std::size_t axis, std::span<double> out) const; ///< Heating::add_along
   /// Heating::recall
   /// @param columns  by which the contact grid moves on the body
   void recall(const VolumeGrid& body, const Place& place, double columns);
-  [[nodiscard]] const std::vector<double>& temperature() const { return temperature_; }
-  [[nodiscard]] double total() const { return total_; } ///< heat since the start [J]
+  [[nodiscard]] const std::vector<double>& temperature() const { return state_.temperature; }
+  [[nodiscard]] double total() const { return state_.total; } ///< heat since the start [J]
   void add_depth(const SurfaceGrid& body, const Place& place, std::span<double> out) const;
   [[nodiscard]] std::vector<double> on_body(std::span<const double> field, const char* what) const;
 
@@ -71,6 +71,25 @@ public:
   void move_to(const SurfaceGrid& contact);
 
 private:
+  /// At the end of the last step; the flux is that of the current one.
+  struct State
+  {
+    std::vector<double> temperature, flux, share, share_before;
+    double duration = 0.0, total = 0.0;
+    std::array<std::vector<double>, 2> along{}; ///< displacement along x and y [m]; empty: not known on this grid
+
+    static constexpr auto table()
+    {
+      using S = State;
+      return std::tuple{listed(&S::temperature, {"temperature"}),
+                        listed(&S::flux, {"flux"}),
+                        listed(&S::share, {"share"}),
+                        listed(&S::share_before, {"share_before"}),
+                        listed(&S::duration, {"duration"}),
+                        listed(&S::total, {"total"}),
+                        listed(&S::along, {"along_x", "along_y"}, {.is_sized = true, .is_derived = true})};
+    }
+  };
   /// Responses to a flux with a given motion, with their buffers.
   struct Responses
   {
@@ -101,13 +120,10 @@ private:
   std::list<Responses> cached_responses_; ///< cache, most recently used first
   Place place_{};                         ///< of the contact grid on the thermal grid
   double duration_ = 0.0;
-  std::vector<double> remaining_, share_, flux_, flux_before_;
+  std::vector<double> remaining_, share_, flux_before_;
   Displacement remaining_displacement_, own_displacement_; ///< on the contact grid; only the `parts` are filled
   std::vector<double> imposed_; ///< flux from outside in the current step [W/m^2]; empty: none
-  // At the end of the last step
-  std::vector<double> temperature_, last_share_, share_before_;
-  std::array<std::vector<double>, 2> along_at_end_; ///< displacement along x and y [m]; empty: not known on this grid
-  double last_duration_ = 0.0, total_ = 0.0;
+  State state_;
 };
 
 } // namespace brinell::elastoplastic

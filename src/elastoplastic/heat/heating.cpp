@@ -175,17 +175,17 @@ void Heating::settle(std::span<const double> pressure, const std::array<std::spa
   State& s = *state_;
   if (s.duration == 0.0)
     return;
-  s.heat_of_friction += s.friction_of_increment;
+  s.totals.of_friction += s.friction_of_increment;
   if (s.heats_without_flux())
     s.add_heat_without_flux(s.friction_of_increment);
-  s.heat_of_source += s.power_of_source * s.duration;
+  s.totals.of_source += s.power_of_source * s.duration;
   s.count_held();
   for (HeatedSide& side : s.sides)
     side.settle();
   for (HeatedSide& side : s.sides)
     if (side.conducts() && !side.is_mirrored())
-      s.work_on_tractions += s.copies * side.heat().work_against(side.on_body(pressure, "pressure"));
-  s.work_on_tractions += s.work_along(shears);
+      s.totals.work_on_tractions += s.copies * side.heat().work_against(side.on_body(pressure, "pressure"));
+  s.totals.work_on_tractions += s.work_along(shears);
 }
 
 bool Heating::takes_work(std::size_t side) const
@@ -241,12 +241,12 @@ double Heating::heat(std::size_t side) const
 
 double Heating::heat_of_friction() const
 {
-  return state_->heat_of_friction;
+  return state_->totals.of_friction;
 }
 
 double Heating::heat_of_source() const
 {
-  return state_->heat_of_source;
+  return state_->totals.of_source;
 }
 
 double Heating::heat_of_plastic_work() const
@@ -260,17 +260,17 @@ double Heating::heat_of_plastic_work() const
 
 double Heating::work_on_tractions() const
 {
-  return state_->work_on_tractions;
+  return state_->totals.work_on_tractions;
 }
 
 int Heating::most_held_cells() const
 {
-  return state_->most_held;
+  return state_->totals.most_held;
 }
 
 double Heating::share_of_held_cells() const
 {
-  return state_->heat_passed > 0.0 ? state_->heat_of_held / state_->heat_passed : 0.0;
+  return state_->totals.passed > 0.0 ? state_->totals.held / state_->totals.passed : 0.0;
 }
 
 void Heating::add_depth(std::size_t side, const SurfaceGrid& body, const Place& place, std::span<double> out) const
@@ -307,12 +307,7 @@ void Heating::exchange(Archive& archive)
   }
   archive("lower", s.sides[0]);
   archive("upper", s.sides[1]);
-  archive("heat_of_friction", s.heat_of_friction);
-  archive("heat_of_source", s.heat_of_source);
-  archive("work_on_tractions", s.work_on_tractions);
-  archive("most_held_cells", s.most_held, 0, std::numeric_limits<int>::max() - 1);
-  archive("heat_passed", s.heat_passed);
-  archive("heat_of_held", s.heat_of_held);
+  exchange_members(archive, s.totals);
 }
 
 void Heating::move_to(const SurfaceGrid& contact)

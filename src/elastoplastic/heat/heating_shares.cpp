@@ -158,14 +158,14 @@ double Heating::State::work_along(const std::array<std::span<const double>, 2>& 
 /// After the last partition of an increment: counts the cells that it held in contact, and the heat through them.
 void Heating::State::count_held()
 {
-  most_held = std::max(most_held, touching.held());
+  totals.most_held = std::max(totals.most_held, touching.held());
   const double per_flux = duration * contact.cell_area();
   const std::span<const double> lower = sides[0].share(), upper = sides[1].share();
   for (std::size_t i = 0; i < contact.size(); ++i)
   {
     const double passed = std::max(std::abs(lower[i]), std::abs(upper[i])) * per_flux;
-    heat_passed += passed;
-    heat_of_held += touching.is_held_open(i) ? passed : 0.0;
+    totals.passed += passed;
+    totals.held += touching.is_held_open(i) ? passed : 0.0;
   }
 }
 

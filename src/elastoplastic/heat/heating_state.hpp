@@ -22,6 +22,25 @@ struct HeatingPlan
   HeatNumerics numerics;
 };
 
+/// Heat and work since the start [J].
+struct HeatTotals
+{
+  double of_friction = 0.0, of_source = 0.0, work_on_tractions = 0.0;
+  int most_held = 0;               ///< largest number of held cells in an increment
+  double passed = 0.0, held = 0.0; ///< through the surfaces, and the part of it through held cells that are open
+
+  static constexpr auto table()
+  {
+    using S = HeatTotals;
+    return std::tuple{listed(&S::of_friction, {"heat_of_friction"}),
+                      listed(&S::of_source, {"heat_of_source"}),
+                      listed(&S::work_on_tractions, {"work_on_tractions"}),
+                      listed(&S::most_held, {"most_held_cells"}, {.range = std::pair{0.0, 2e9}}),
+                      listed(&S::passed, {"heat_passed"}),
+                      listed(&S::held, {"heat_of_held"})};
+  }
+};
+
 struct Heating::State
 {
   SurfaceGrid contact;
@@ -46,11 +65,7 @@ struct Heating::State
   bool is_source_on = false;                         ///< whether a source acts
   TouchingCells touching{};
   double friction_of_increment = 0.0, power_of_source = 0.0; ///< heat of friction [J], and power that acted [W]
-  // Since the start [J]
-  double heat_of_friction = 0.0, heat_of_source = 0.0, work_on_tractions = 0.0;
-  int most_held = 0; ///< largest number of held cells in an increment
-  double heat_passed = 0.0,
-         heat_of_held = 0.0; ///< through the surfaces, and the part of it through held cells that are open
+  HeatTotals totals{};
 
   [[nodiscard]] bool is_source_between() const
   {

@@ -40,11 +40,12 @@ void add_moved(const SurfaceGrid& grid, std::span<const double> field, double co
 
 std::vector<double> PlasticHeat::source(double columns, double duration)
 {
-  expected_.assign(last_.size(), 0.0);
+  expected_.assign(state_.last.size(), 0.0);
   // A longer step, such as the way back to the next pass, does not imply more plastic work: no scaling up.
-  add_moved(grid_, last_, columns, last_duration_ > 0.0 ? std::min(1.0, duration / last_duration_) : 0.0, expected_);
-  std::vector<double> all(std::max(expected_.size(), pending_.size()), 0.0);
-  for (const std::vector<double>* part : {&expected_, &pending_})
+  add_moved(grid_, state_.last, columns, state_.duration > 0.0 ? std::min(1.0, duration / state_.duration) : 0.0,
+            expected_);
+  std::vector<double> all(std::max(expected_.size(), state_.pending.size()), 0.0);
+  for (const std::vector<double>* part : {&expected_, &state_.pending})
     for (std::size_t i = 0; i < part->size(); ++i)
       all[i] += (*part)[i];
   return all;
@@ -77,29 +78,26 @@ void PlasticHeat::settle(std::span<const double> work, const VolumeGrid& body, d
   const double kept = sum(heat);
   for (double& value : heat)
     value *= share_;
-  total_ += share_ * kept * body.cell_volume();
+  state_.total += share_ * kept * body.cell_volume();
   if (duration > 0.0)
   {
-    pending_.assign(std::max(heat.size(), expected_.size()), 0.0);
+    state_.pending.assign(std::max(heat.size(), expected_.size()), 0.0);
     for (std::size_t i = 0; i < expected_.size(); ++i)
-      pending_[i] -= expected_[i];
-    last_ = heat;
-    last_duration_ = duration;
+      state_.pending[i] -= expected_[i];
+    state_.last = heat;
+    state_.duration = duration;
   }
-  pending_.resize(std::max(heat.size(), pending_.size()), 0.0);
+  state_.pending.resize(std::max(heat.size(), state_.pending.size()), 0.0);
   for (std::size_t i = 0; i < heat.size(); ++i)
-    pending_[i] += heat[i];
+    state_.pending[i] += heat[i];
 }
 
 void PlasticHeat::exchange(Archive& archive)
 {
-  archive.list("last", last_);
-  archive("duration", last_duration_);
-  archive.list("lacking", pending_);
-  for (const std::vector<double>* field : {&last_, &pending_})
+  exchange_members(archive, state_);
+  for (const std::vector<double>* field : {&state_.last, &state_.pending})
     if (field->size() % grid_.size() != 0)
       throw InputError("the stored heat of plastic work is on another grid");
-  archive("total", total_);
 }
 
 } // namespace brinell::elastoplastic

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/field_table.hpp"
 #include "brinell/foundation/grid.hpp"
 
 #include <span>
@@ -33,7 +33,7 @@ public:
   /// @param work      plastic work in the step [J/m^3] per cell of the material grid
   /// @param duration  [s]; 0: the heat arises at once, and `source` was not called for the step
   void settle(std::span<const double> work, const VolumeGrid& body, double duration);
-  [[nodiscard]] double total() const { return total_; } ///< since the start [J]
+  [[nodiscard]] double total() const { return state_.total; } ///< since the start [J]
 
   void exchange(Archive& archive);
 
@@ -43,10 +43,20 @@ private:
   SurfaceGrid grid_;
   double share_;
   std::vector<double> expected_; ///< expected heat of the current step [J/m^3]
-  std::vector<double> last_;     ///< actual heat of the last step [J/m^3]
-  double last_duration_ = 0.0;   ///< [s]
-  std::vector<double> pending_;  ///< actual minus applied heat, still to be applied [J/m^3]
-  double total_ = 0.0;
+  struct State
+  {
+    std::vector<double> last;    ///< actual heat of the last step [J/m^3]
+    double duration = 0.0;       ///< of the last step [s]
+    std::vector<double> pending; ///< actual minus applied heat, still to be applied [J/m^3]
+    double total = 0.0;          ///< [J]
+
+    static constexpr auto table()
+    {
+      return std::tuple{listed(&State::last, {"last"}, {.is_sized = true}), listed(&State::duration, {"duration"}),
+                        listed(&State::pending, {"lacking"}, {.is_sized = true}), listed(&State::total, {"total"})};
+    }
+  };
+  State state_;
 };
 
 } // namespace brinell::elastoplastic

@@ -77,8 +77,7 @@ void SteadyHeat::layers(std::size_t count, std::size_t first, std::span<const ha
 
 void SteadyHeat::exchange(Archive& archive)
 {
-  archive("velocity", last_.velocity);
-  archive("flux", last_.flux);
+  exchange_members(archive, last_);
   now_ = last_;
 }
 

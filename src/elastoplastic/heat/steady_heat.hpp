@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/field_table.hpp"
 #include "brinell/halfspace/steady_field.hpp"
 
 #include <optional>
@@ -40,7 +40,12 @@ private:
   struct Source
   {
     double velocity = 0.0;
-    std::vector<double> flux;
+    std::vector<double> flux{};
+
+    static constexpr auto table()
+    {
+      return std::tuple{listed(&Source::velocity, {"velocity"}), listed(&Source::flux, {"flux"})};
+    }
   };
   [[nodiscard]] bool is_cold() const;
   void layers(std::size_t count, std::size_t first, std::span<const halfspace::ThermalLayer> out) const;

@@ -35,30 +35,13 @@ PartialSlip::PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const El
     : Interface(friction), pair_(grid, lower, upper, reference), scratch_(pair_.make_scratch()), tangential_(pair_),
       entry_(std::make_unique<contact::EntryCompliance>(pair_)), couples_(friction.coupling && pair_.couples())
 {
-  for (std::vector<double>* field : {&state_.heat,
-                                     &state_.path,
-                                     &heat_of_increment_,
-                                     &bound_before_,
-                                     &bound_,
-                                     &pressure_before_,
-                                     &pressure_added_,
-                                     &residual_before_[0],
-                                     &residual_before_[1],
-                                     &displacement_before_[0],
-                                     &displacement_before_[1],
-                                     &change_[0],
-                                     &change_[1],
-                                     &slip_[0],
-                                     &slip_[1],
-                                     &shear_before_[0],
-                                     &shear_before_[1],
-                                     &state_.shear[0],
-                                     &state_.shear[1],
-                                     &state_.slip[0],
-                                     &state_.slip[1]})
+  for (std::vector<double>* field : {&heat_of_increment_, &bound_before_, &bound_, &pressure_before_, &pressure_added_})
     field->assign(grid.size(), 0.0);
-  if (couples_)
-    state_.depth.assign(grid.size(), 0.0);
+  for (Pair* pair : {&residual_before_, &displacement_before_, &change_, &slip_, &shear_before_})
+    pair->fill(std::vector<double>(grid.size(), 0.0));
+  assign_fields(state_, grid.size());
+  if (!couples_)
+    state_.depth.clear();
 }
 
 PartialSlip::~PartialSlip() = default;
@@ -117,10 +100,14 @@ void PartialSlip::advect(const Bodies& bodies)
     contact::carry(grid, carried_, before_.shear[axis], shear_before_[axis]);
   if (carried_[0] == 0)
     return;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    contact::carry(grid, carried_, before_.slip[axis], state_.slip[axis]);
-  contact::carry(grid, carried_, before_.path, state_.path);
-  contact::carry(grid, carried_, before_.heat, state_.heat);
+  for_parts(
+      [&](std::string_view /*name*/, const Traits& traits, const auto& before, auto& now)
+      {
+        if constexpr (requires { before.size(); })
+          if (traits.is_carried)
+            contact::carry(grid, carried_, before, now);
+      },
+      std::as_const(before_), state_);
 }
 
 /// Rigid displacement of the upper body relative to the lower one that is imposed on a cell in the increment, by shift and spin;

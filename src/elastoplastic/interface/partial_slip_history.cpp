@@ -224,42 +224,7 @@ double PartialSlip::elastic_energy(std::span<const double> pressure) const
 void PartialSlip::embed(const Interface& smaller)
 {
   const auto& other = dynamic_cast<const PartialSlip&>(smaller);
-  const auto copy = [&](const std::vector<double>& from, std::vector<double>& to)
-  { embed_field(other.pair_.grid(), from, pair_.grid(), to); };
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    copy(other.state_.shear[axis], state_.shear[axis]);
-    copy(other.state_.slip[axis], state_.slip[axis]);
-  }
-  copy(other.state_.path, state_.path);
-  copy(other.state_.heat, state_.heat);
-  state_.shift = other.state_.shift;
-  state_.turned = other.state_.turned;
-  state_.total_heat = other.state_.total_heat;
-  state_.work = other.state_.work;
-  state_.limited_share = other.state_.limited_share;
-  state_.sticking = other.state_.sticking;
-  state_.pressed = other.state_.pressed;
-}
-
-void PartialSlip::State::exchange(Archive& archive)
-{
-  archive("shear_x", shear[0]);
-  archive("shear_y", shear[1]);
-  archive("slip_x", slip[0]);
-  archive("slip_y", slip[1]);
-  archive("path", path);
-  archive("heat", heat);
-  if (!depth.empty())
-    archive("depth", depth);
-  archive("shift_x", shift[0]);
-  archive("shift_y", shift[1]);
-  archive("turned", turned);
-  archive("work", work);
-  archive("total_heat", total_heat);
-  archive("limited_share", limited_share, 0.0, 1.0);
-  archive("sticking", sticking);
-  archive("pressed", pressed);
+  embed_state(other.pair_.grid(), other.state_, pair_.grid(), state_);
 }
 
 } // namespace brinell::elastoplastic

@@ -68,21 +68,9 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
     lower_share_ = 1.0;
   else if (!lower.is_rigid())
     lower_alone_.emplace(grid, lower, rigid_body, reference);
-  for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.slip, &state_.lower_stretch,
-                                     &state_.upper_stretch, &state_.work_at_rest, &work_per_area_, &shear_at_start_})
+  assign_fields(state_, grid.size());
+  for (std::vector<double>* field : {&work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);
-}
-
-void SlidingInterface::State::exchange(Archive& archive)
-{
-  archive("shear", shear);
-  archive("depth", depth);
-  archive("slip", slip);
-  archive("lower_stretch", lower_stretch);
-  archive("upper_stretch", upper_stretch);
-  archive("work_at_rest", work_at_rest);
-  archive("work", work);
-  archive("limited_share", limited_share);
 }
 
 std::array<double, 2> SlidingInterface::direction(const contact::TangentialDrive& along) const
@@ -264,10 +252,7 @@ double SlidingInterface::share_of(const contact::TangentialDrive& along) const
 void SlidingInterface::embed(const Interface& smaller)
 {
   const auto& other = dynamic_cast<const SlidingInterface&>(smaller);
-  embed_field(other.pair_.grid(), other.state_.shear, pair_.grid(), state_.shear);
-  embed_field(other.pair_.grid(), other.state_.work_at_rest, pair_.grid(), state_.work_at_rest);
-  state_.work = other.state_.work;
-  state_.limited_share = other.state_.limited_share;
+  embed_state(other.pair_.grid(), other.state_, pair_.grid(), state_);
 }
 
 } // namespace brinell::elastoplastic

@@ -79,8 +79,8 @@ double UserWear::intensity_at(double pressure, double shear) const
 Wear::Wear(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const WearLaw& law,
            double modulus)
     : contact_(contact), law_(law), explicit_limit_(explicit_share * std::min(contact.dx, contact.dy) / modulus),
-      sides_{Side{lower, law.lower / law.sum(), std::vector<double>(lower.size())},
-             Side{upper, law.upper / law.sum(), std::vector<double>(upper.size())}},
+      sides_{Side{lower, law.lower / law.sum()}, Side{upper, law.upper / law.sum()}},
+      state_{.depth = {std::vector<double>(lower.size()), std::vector<double>(upper.size())}},
       compliance_(contact.size()), pressure_before_(contact.size()), from_onset_(contact.size())
 {
 }
@@ -149,29 +149,30 @@ void Wear::commit(const Interaction& found, const Placement& placement)
     work += 0.5 * (pressure_before_[i] + pressure[i]) * worn[i];
     largest = std::max(largest, worn[i]);
   }
-  work_ += work * contact_.cell_area();
-  largest_step_ = std::max(largest_step_, largest);
-  for (const auto& [side, place] : {std::pair{&sides_[0], &placement.lower}, {&sides_[1], &placement.upper}})
+  state_.work += work * contact_.cell_area();
+  state_.largest_step = std::max(state_.largest_step, largest);
+  for (std::size_t side = 0; side < sides_.size(); ++side)
   {
-    if (side->share == 0.0)
+    const auto& [grid, share] = sides_[side];
+    if (share == 0.0)
       continue;
-    if (!spread_volume(contact_, worn, side->share, *place, side->grid, side->depth))
+    const Place& place = side == 0 ? placement.lower : placement.upper;
+    if (!spread_volume(contact_, worn, share, place, grid, state_.depth[side]))
       throw InternalError("Wear: worn cells lie beyond the grid of the body");
-    side->volume += side->share * sum * contact_.cell_area();
+    state_.volume[side] += share * sum * contact_.cell_area();
   }
 }
 
 double Wear::largest_depth(std::size_t side) const
 {
-  const std::vector<double>& depth = sides_.at(side).depth;
+  const std::vector<double>& depth = state_.depth.at(side);
   return *std::max_element(depth.begin(), depth.end());
 }
 
 void Wear::add_depth(std::size_t side, const Place& place, std::span<double> out) const
 {
-  const Side& s = sides_.at(side);
-  if (s.volume > 0.0)
-    elastoplastic::add_depth(s.grid, s.depth, {}, place, contact_, out);
+  if (volume(side) > 0.0)
+    elastoplastic::add_depth(sides_[side].grid, depth(side), {}, place, contact_, out);
 }
 
 void Wear::report(EffectTotals& totals) const
@@ -184,28 +185,15 @@ void Wear::report(EffectTotals& totals) const
   totals.work_of_wear = work();
 }
 
-void Wear::exchange(Archive& archive)
-{
-  for (const auto& [name, side] : {std::pair{"lower", &sides_[0]}, {"upper", &sides_[1]}})
-  {
-    archive(std::string(name) + ".depth", side->depth);
-    archive(std::string(name) + ".volume", side->volume);
-  }
-  archive("work", work_);
-  archive("largest_step", largest_step_);
-}
-
 void Wear::embed(const Effect& smaller_grids)
 {
   const auto& smaller = dynamic_cast<const Wear&>(smaller_grids);
-  for (std::size_t i = 0; i < sides_.size(); ++i)
+  state_ = smaller.state_;
+  for (std::size_t side = 0; side < sides_.size(); ++side)
   {
-    const Side& from = smaller.sides_[i];
-    embed_field(from.grid, from.depth, sides_[i].grid, sides_[i].depth);
-    sides_[i].volume = from.volume;
+    state_.depth[side].assign(sides_[side].grid.size(), 0.0);
+    embed_field(smaller.sides_[side].grid, smaller.depth(side), sides_[side].grid, state_.depth[side]);
   }
-  work_ = smaller.work_;
-  largest_step_ = smaller.largest_step_;
 }
 
 } // namespace brinell::elastoplastic
