@@ -81,7 +81,7 @@ struct Parts
       std::make_shared<const halfspace::HalfSpace>(volume, steel.elastic);
   halfspace::SurfaceCompliance compliance{surface, contact_modulus(steel.elastic, rigid.elastic)};
   contact::ElasticContact elastic_contact{compliance};
-  elastoplastic::Body body{volume, half_space, steel, settings.shortcuts};
+  elastoplastic::Body body{volume, half_space, steel, {.shortcuts = settings.shortcuts}};
   std::vector<double> ball = distance_of_ball();
   std::vector<double> pressure = std::vector<double>(surface.size()), gap = pressure;
   double approach = 0.0;
@@ -116,7 +116,7 @@ bool evaluate(Parts& parts, double load, int evaluation)
   const bool grew = body.update({.pressure = parts.pressure});
   std::printf("%3d  %8.4f  %10.2f  %8.4f  %8.1f  %8.1f  %10.1e\n", evaluation, 100.0 * strain,
               1e9 * largest(body.residual_displacement()), 1e-9 * largest(parts.pressure), 1e-6 * largest_stress(parts),
-              1e-6 * largest_of_active(body.mapped()), body.yield_error());
+              1e-6 * largest_of_active(body.active().mapped()), body.yield_error());
   return evaluation > 1 && solved.converged && !grew && body.yield_error() <= settings.yield_tolerance &&
          moved <= settings.displacement_tolerance * scale;
 }
@@ -128,14 +128,14 @@ int advance(Parts& parts, double load)
   elastoplastic::Body& body = parts.body;
   body.begin(0, stiffness_share);
   std::printf("step to %g N\nguess: q up to %.1f MPa in %zu cells\n", load, 1e-6 * largest_of_active(body.trial()),
-              body.unknowns() / Deviator::size);
+              body.active().size());
   std::printf("      plastic    residual  pressure    stress      g(q)  |g(q) - q|\n"
               "       strain        disp.                               over yield\n"
               "            %%          nm       GPa       MPa       MPa      stress\n");
   elastoplastic::Anderson anderson(settings.anderson_depth);
   int evaluations = 1;
   for (; !evaluate(parts, load, evaluations); ++evaluations)
-    anderson.advance(body.trial(), body.mapped(), body.flow()); // the next q
+    anderson.advance(body.trial(), body.active().mapped(), body.active().flow()); // the next q
   body.complete_trial();
   body.commit({.pressure = parts.pressure}); // the trial becomes the state
   std::printf("commit: approach %.1f nm, dissipation %.4f uJ, locked in %.4f uJ\n\n", 1e9 * parts.approach,

@@ -45,6 +45,7 @@ public:
   void set_trial(std::size_t a, const Deviator& q) { set(q_, a, q); }
   /// All trial deviators, [active][component].
   [[nodiscard]] std::vector<double>& trials() { return q_; }
+  [[nodiscard]] const std::vector<double>& trials() const { return q_; }
   [[nodiscard]] const std::vector<double>& mapped() const { return g_; }
   /// The plastic strain of the increment, weighted so that a plain scalar product with the trials gives the work: for each
   /// cell, the sum over components of flow times deviator is the contraction of strain and deviator times `copies`.

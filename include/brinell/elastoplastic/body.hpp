@@ -6,12 +6,10 @@
 #include "brinell/elastoplastic/plastic_zone.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/field_table.hpp"
-#include "brinell/foundation/symmetry.hpp"
+#include "brinell/foundation/hidden.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
-#include <array>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,8 +54,31 @@ struct BodyState
   void exchange(Archive& archive) { exchange_members(archive, *this); }
 };
 
-class Window;
-struct Columns;
+struct BodyParts;
+
+/// How much of a body an evaluation computes.
+enum class Scope
+{
+  near,        ///< the layers and columns in which the increment changes anything, as far as short cuts are allowed
+  all_columns, ///< all columns of these layers
+  all          ///< all cells
+};
+
+/// How a body is computed.
+struct BodySettings
+{
+  /// Compute only the layers and cells near yield until an evaluation closes the increment; see Settings::shortcuts.
+  bool shortcuts = true;
+  /// The components on which the loads do work: also the one along x with shear along x, all with shear along x and y. All three
+  /// are computed in each evaluation; if only x is added, it is computed on demand.
+  halfspace::Displacements displacements = halfspace::Displacements::normal;
+  /// Of history and loads. If there is one, evaluations work on the independent rows alone; in the state all rows are kept
+  /// consistent.
+  Symmetry symmetry = Symmetry::none;
+  /// With short cuts: compute only the columns of the active cells and of the load until an evaluation closes the increment; see
+  /// Settings::windows.
+  bool windows = false;
+};
 
 /// Sides of a body's grid.
 struct Edges
@@ -76,32 +97,14 @@ class Body
 {
 public:
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid body.
-  /// @param shortcuts   compute only the layers and cells near yield until an evaluation closes the increment; see
-  ///                    Settings::shortcuts.
-  /// @param displacements  the components on which the loads do work: also the one along x with shear along x, all with shear
-  ///                    along x and y. All three are computed in each evaluation; if only x is added, it is computed on demand.
-  /// @param symmetry    of history and loads. If there is one, evaluations work on the independent rows alone; in the state
-  ///                    all rows are kept consistent.
-  /// @param windows     with short cuts: compute only the columns of the active cells and of the load until an evaluation closes
-  ///                    the increment; see Settings::windows.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-       const constitutive::Material& material, bool shortcuts = true,
-       halfspace::Displacements displacements = halfspace::Displacements::normal, Symmetry symmetry = Symmetry::none,
-       bool windows = false);
-  ~Body();
-  Body(Body&&) noexcept;
-  Body& operator=(Body&&) noexcept;
-  Body(const Body&) = delete;
-  Body& operator=(const Body&) = delete;
+       const constitutive::Material& material, const BodySettings& settings = {});
 
-  [[nodiscard]] const VolumeGrid& grid() const { return grid_; }
-  [[nodiscard]] const constitutive::Material& material() const { return material_; }
-  [[nodiscard]] const BodyState& state() const { return state_; }
+  [[nodiscard]] const VolumeGrid& grid() const;
+  [[nodiscard]] const constitutive::Material& material() const;
+  [[nodiscard]] const BodyState& state() const;
   /// Where the state has plastic strain; empty for a body that cannot yield.
-  [[nodiscard]] const PlasticZone& plastic_zone() const { return zone_; }
-  [[nodiscard]] bool is_plastic() const { return material_.is_plastic(); }
-  /// Whether backward Euler minimises an energy in an increment (docs/theory/elastoplastic.md): only with isotropic hardening.
-  [[nodiscard]] bool has_energy() const { return material_.kinematic.empty(); }
+  [[nodiscard]] const PlasticZone& plastic_zone() const;
 
   /// Sets a factor on the yield stress of each cell, in addition to the depth profile, for instance by temperature
   /// (constitutive/softening.hpp). Between increments the factor takes effect at once; within an increment it takes effect with
@@ -118,17 +121,14 @@ public:
   /// Sets the deviator of the thermal stress at the end of the increment, 5 values per cell [Pa]; to be called after `begin`.
   /// Without this call the thermal stress of the last increment stays.
   void set_thermal_stress(std::span<const double> deviator);
-  /// Makes the next evaluation compute the stress in all cells; without windows all later evaluations do so too, until new cells
-  /// become active. An increment may only be committed after an evaluation of all cells that found no new active cell.
-  void compute_all_layers();
-  /// Makes all later evaluations of the increment compute all columns.
-  void leave_window();
-  /// Whether the last evaluation was restricted to a window.
-  [[nodiscard]] bool was_windowed() const { return was_windowed_; }
+  /// Makes the next evaluation compute at least this much. All columns stay for the rest of the increment, and all layers do
+  /// until new cells become active. An increment may only be committed after an evaluation of all cells that found no new active
+  /// cell.
+  void require(Scope scope);
+  /// How much the last evaluation computed.
+  [[nodiscard]] Scope scope() const;
   /// Number of cells whose stress the last evaluation computed, a measure of the time that it took.
   [[nodiscard]] double cost() const;
-  /// Valid after `integrate`: whether the current evaluation computes the stress in all cells.
-  [[nodiscard]] bool computes_all_layers() const { return layers_ == grid_.nz && !windowed_; }
   /// Undoes all changes of an increment that was not committed; does nothing after a commit.
   void restore();
   /// Integrates the plastic strain for the present q and computes the residual displacement of that strain.
@@ -155,24 +155,21 @@ public:
   /// Takes over the history of the same body from a smaller grid with the same centre. Stress and residual displacement are
   /// computed anew, under `load` (on the whole surface grid).
   void continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load);
-  [[nodiscard]] BodyState take_state() && { return std::move(state_); }
+  [[nodiscard]] BodyState take_state() &&;
 
-  [[nodiscard]] std::size_t unknowns() const { return Deviator::size * active_.size(); }
-  [[nodiscard]] std::vector<double>& trial() { return active_.trials(); }              ///< q, unknowns() values
-  [[nodiscard]] const std::vector<double>& mapped() const { return active_.mapped(); } ///< g(q)
-  [[nodiscard]] const std::vector<double>& flow() const { return active_.flow(); }     ///< see ActiveCells::flow
+  /// The active cells with their trials q, images g(q) and flow; `trial` gives the trials to be changed.
+  [[nodiscard]] const ActiveCells& active() const;
+  [[nodiscard]] std::vector<double>& trial();
   /// Lengthens the step of the trials in cells near the surface that flow along the surface, because the surrounding body hardly
   /// restrains such flow; does nothing without shear on the surface.
-  /// @param residual  g - q of the combination of evaluations from which the trials come, unknowns() values. Trials with a zero
+  /// @param residual  g - q of the combination of evaluations from which the trials come. Trials with a zero
   ///                  residual are not changed.
   void go_further(const std::vector<double>& residual);
   /// Error of the last `update`: largest von Mises norm of g - q over the yield stress, among the cells that yield.
-  [[nodiscard]] double yield_error() const { return yield_error_; }
-  [[nodiscard]] std::span<const double> residual_displacement() const { return displacement_; }
-  /// Empty unless the surface bears shear and the body is plastic.
-  [[nodiscard]] std::span<const double> residual_displacement_x() const { return displacement_x_; }
-  /// Residual displacement along y; empty unless all displacements are computed.
-  [[nodiscard]] std::span<const double> residual_displacement_y() const { return displacement_y_; }
+  [[nodiscard]] double yield_error() const;
+  /// Residual displacement of the present trial along z (0), x (1) or y (2) [m]. Those along the surface are empty unless they are
+  /// computed and the body is plastic.
+  [[nodiscard]] std::span<const double> residual_displacement(std::size_t axis = 0) const;
   /// Shear that each cell of the surface can carry along a unit vector, with the hardening of the present trial [Pa]; infinite if
   /// the body does not yield. For a zero vector: the shear that the cell can carry in every direction.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
@@ -196,115 +193,7 @@ public:
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 
 private:
-  /// Adds the initial stress in the layers [0, layers) and in the rows [0, rows) of each layer.
-  void add_initial_stress(int layers, int rows, std::span<double> stress) const;
-  void add_thermal_stress(int layers, int rows, std::span<double> stress) const;
-  [[nodiscard]] std::size_t independent_cells() const; ///< in each layer
-  [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(active_.copies(a)); }
-  template <typename Use>
-  void with_copies(std::size_t a, const Use& use) const;
-  void find_displacement_x();
-  /// At the end of the current increment; empty without heat.
-  [[nodiscard]] const std::vector<double>& thermal_stress() const
-  {
-    return has_own_thermal_stress_ ? thermal_stress_ : state_.thermal_stress;
-  }
-  [[nodiscard]] double work_of_thermal_stress(const PlasticZone& zone) const;
-  [[nodiscard]] double thermal_work_of_trial() const;
-  void prepare_trial();
-  void recover_guess();
-  void store_guess();
-  void restrict_to_active_layers();
-  void find_watched_traces(const halfspace::SurfaceLoad& load);
-  [[nodiscard]] bool watches(std::span<const std::size_t> cells);
-  [[nodiscard]] std::vector<CellStress> elastic_stress_at(std::span<const std::size_t> cells,
-                                                          const halfspace::SurfaceLoad& load);
-  [[nodiscard]] CellStress stress_of_state(std::size_t cell) const;
-  [[nodiscard]] double softening(std::size_t cell) const { return softening_.empty() ? 1.0 : softening_[cell]; }
-  /// Hardening law in a layer without softening.
-  template <typename Law>
-  [[nodiscard]] constitutive::ScaledLaw<Law> law_of(const Law& law, std::size_t layer) const
-  {
-    return {law, yield_factor_[layer]};
-  }
-  template <typename Law>
-  [[nodiscard]] constitutive::ScaledLaw<Law> law_at(const Law& law, std::size_t cell) const
-  {
-    return {law, yield_factor_[layer_of(cell)] * softening(cell)};
-  }
-  [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid().surface.size(); }
-  [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
-  [[nodiscard]] Deviator centre(std::size_t cell) const;
-  template <typename Law>
-  [[nodiscard]] constitutive::PlasticIncrement increment(const Law& law, std::size_t a, Integration integration);
-  struct ActiveLanes;
-  template <typename Law>
-  void flow_of(const Law& law, Integration integration);
-  template <typename Law>
-  [[nodiscard]] double map_trials(const Law& law);
-  void put_on_yield_surface(std::size_t first);
-  void sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const;
-  template <typename Law>
-  void find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
-                         double fraction, std::vector<std::size_t>& found) const;
-  void collect_active(const std::vector<double>& q_field, int shift, double fraction);
-  [[nodiscard]] double equivalent_of_active(std::size_t a) const;
-  [[nodiscard]] bool extends_beyond(const std::vector<std::size_t>& cells, std::size_t apart, int places,
-                                    double largest) const;
-  [[nodiscard]] bool may_yield_below() const;
-  [[nodiscard]] double locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const;
-  [[nodiscard]] PlasticZone zone_of_trial() const;
-  [[nodiscard]] halfspace::Displacements displacements_per_evaluation() const;
-  void find_displacements(halfspace::Displacements wanted);
-  void choose_window();
-  void load_strain();
-  void find_stress(const halfspace::SurfaceLoad& load);
-  void include_new_cells(std::size_t first);
-  [[nodiscard]] Columns affected_columns(const std::array<std::vector<double>, 3>& load, int shift) const;
-  [[nodiscard]] Columns searched_columns() const;
-  [[nodiscard]] double change_of_displacement(const std::vector<double>& before) const;
-
-  VolumeGrid grid_;
-  constitutive::Material material_;
-  std::shared_ptr<const halfspace::HalfSpace> half_space_;
-  halfspace::HalfSpace::Work work_;
-  std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain of the present trial
-  BodyState state_;
-  PlasticZone zone_;                                  ///< of the state
-  std::vector<double> yield_factor_, initial_stress_; ///< of the layers
-  std::vector<double> softening_;                     ///< at the end of the current increment; empty: none
-  std::vector<double> thermal_stress_;  ///< at the end of the current increment, if it is `has_own_thermal_stress_`
-  bool has_own_thermal_stress_ = false; ///< otherwise that of the state stays
-  double stiffness_ = 0.0;              ///< c [Pa]
-  bool shortcuts_;
-  Symmetry symmetry_;
-  int layers_; ///< layers whose stress is computed, from the surface
-  ActiveCells active_;
-  double yield_error_ = 0.0; ///< error of the last evaluation
-  bool bears_shear_ = false; ///< whether there was shear in the last evaluation
-  bool in_increment_ = false;
-  /// Deviatoric stress of the trial in the computed layers. Between increments: the stress of the state, but in the cells that
-  /// were active last their q, which is the initial guess of the next increment.
-  std::vector<double> stress_;
-  /// Indices and q of those cells, to restore the guess when an increment fails.
-  std::vector<std::size_t> guessed_cells_;
-  std::vector<double> guessed_q_;
-  std::vector<double> displacement_, displacement_x_, displacement_y_;
-  bool knows_displacement_x_ = false; ///< whether displacement_x_ is that of the present trial
-
-  std::unique_ptr<Window> window_;                    ///< nullptr: none
-  bool windowed_ = false;                             ///< the current evaluation is restricted to the window
-  bool was_windowed_ = false;                         ///< the previous one was, in the present box of the window
-  bool wants_all_cells_ = false;                      ///< the next evaluation is to compute all cells
-  bool may_use_window_ = false;                       ///< no evaluation of this increment has computed all cells
-  int shift_ = 0;                                     ///< by which the contact moves in the increment [cells]
-  std::array<std::vector<double>, 3> committed_load_; ///< of the state; with a window
-
-  /// Cells that `stress_at` has been asked for, and the trace of their stress in the last evaluation of all cells [Pa],
-  /// without the initial stress.
-  std::vector<std::size_t> watched_;
-  std::vector<double> watched_trace_;
-  bool knows_watched_traces_ = false; ///< whether it is that of the present trial
+  Hidden<BodyParts> parts_;
 };
 
 } // namespace brinell::elastoplastic

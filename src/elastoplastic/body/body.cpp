@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/body.hpp"
 
+#include "body_parts.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
-#include "window.hpp"
-#include "with_copies.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
+/// An increment of a body, from its beginning to its end.
 namespace brinell::elastoplastic
 {
 
@@ -21,249 +21,198 @@ namespace
 /// cells that yield.
 constexpr double active_share = 0.8;
 
+/// Drops what belongs to the trial alone.
+void return_to_state(BodyParts& b)
+{
+  b.evaluation.restore(b.state);
+  b.trial.has_thermal_stress = false;
+  b.yield.softening = b.state.softening;
+}
+
 } // namespace
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
-           const constitutive::Material& material, bool shortcuts, halfspace::Displacements displacements,
-           Symmetry symmetry, bool windows)
-    : grid_(grid), material_(material), half_space_(std::move(half_space)), shortcuts_(shortcuts), symmetry_(symmetry),
-      layers_(grid_.nz), displacement_(grid_.surface.size(), 0.0)
+           const constitutive::Material& material, const BodySettings& settings)
+    : parts_(make_hidden<BodyParts>(grid, settings, Yield{material, grid.surface.size()},
+                                    Evaluation(grid, std::move(half_space), material, settings)))
 {
-  const std::size_t n = grid_.size();
+  BodyParts& b = *parts_;
+  const std::size_t n = grid.size();
   if (!material.elastic.is_rigid())
   {
-    state_.plastic_strain.assign(Deviator::size * n, 0.0);
-    state_.equivalent.assign(n, 0.0);
+    b.state.plastic_strain.assign(Deviator::size * n, 0.0);
+    b.state.equivalent.assign(n, 0.0);
   }
-  state_.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
-  if (is_plastic())
-    state_.stress.assign(Deviator::size * n, 0.0);
-  if (is_plastic())
-    zone_ = PlasticZone(grid_, state_.equivalent);
-  state_.residual_displacement = displacement_;
-  if (displacements != halfspace::Displacements::normal && is_plastic())
-    displacement_x_.assign(grid_.surface.size(), 0.0);
-  if (displacements == halfspace::Displacements::all && is_plastic())
-    displacement_y_.assign(grid_.surface.size(), 0.0);
-  state_.residual_displacement_x = displacement_x_;
-  state_.residual_displacement_y = displacement_y_;
-  for (int layer = 0; layer < grid_.nz; ++layer)
-  {
-    const double depth = (layer + 0.5) * grid_.dz;
-    yield_factor_.push_back(material.yield_factor.at(depth, 1.0));
-    initial_stress_.push_back(material.initial_stress.at(depth, 0.0));
-  }
-  if (is_plastic())
-    add_initial_stress(grid_.nz, grid_.surface.ny, state_.stress);
-  if (is_plastic() && shortcuts && windows)
-    window_ = std::make_unique<Window>(grid_, material_.elastic, symmetry_);
-}
-
-Body::~Body() = default;
-Body::Body(Body&&) noexcept = default;
-Body& Body::operator=(Body&&) noexcept = default;
-
-/// Allocates the trial on first use: a body that is rigid or stays elastic never needs one.
-void Body::prepare_trial()
-{
-  if (!stress_.empty())
+  b.state.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
+  b.evaluation.store(b.state);
+  for (int layer = 0; layer < grid.nz; ++layer)
+    b.yield.factor.push_back(material.yield_factor.at((layer + 0.5) * grid.dz, 1.0));
+  if (!b.is_plastic())
     return;
-  stress_ = state_.stress;
-  active_ = ActiveCells(grid_.size(), material_.kinematic.size());
+  b.zone = PlasticZone(grid, b.state.equivalent);
+  b.state.stress.assign(Deviator::size * n, 0.0);
+  b.evaluation.add_initial_stress(grid.nz, grid.surface.ny, b.state.stress);
 }
 
 void Body::exchange(Archive& archive)
 {
-  if (!is_plastic())
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
     return;
-  prepare_trial();
-  archive("state", state_);
-  archive("q_field", stress_);
-  if (window_)
-    for (std::size_t part = 0; part < committed_load_.size(); ++part)
-      archive.list(fmt::format("load_{}", part), committed_load_[part]);
-  if (window_)
-    archive("window_wishes", window_->requests());
-  displacement_ = state_.residual_displacement;
-  displacement_x_ = state_.residual_displacement_x;
-  displacement_y_ = state_.residual_displacement_y;
-  has_own_thermal_stress_ = false;
-  softening_ = state_.softening;
+  prepare_trial(b);
+  archive("state", b.state);
+  archive("q_field", b.trial.stress);
+  b.evaluation.exchange(archive);
   if (!archive.gives())
     return;
-  zone_ = PlasticZone(grid_, state_.equivalent);
-  recover_guess();
+  return_to_state(b);
+  b.zone = PlasticZone(b.grid, b.state.equivalent);
+  recover_guess(b);
 }
 
 void Body::set_softening(std::span<const double> factor)
 {
+  BodyParts& b = *parts_;
   if (!factor.empty())
-    require_size("Body::set_softening: the factor", factor, grid().size());
+    require_size("Body::set_softening: the factor", factor, b.grid.size());
   for (const double value : factor)
     if (!(value > 0.0 && std::isfinite(value)))
       throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", value));
-  softening_.assign(factor.begin(), factor.end());
-  if (!in_increment_)
-    state_.softening = softening_;
+  b.yield.softening.assign(factor.begin(), factor.end());
+  if (!b.trial.is_open)
+    b.state.softening = b.yield.softening;
 }
 
 void Body::begin(int shift, double stiffness_share)
 {
-  stiffness_ = 2.0 * stiffness_share * material_.elastic.shear_modulus();
-  displacement_ = state_.residual_displacement;
-  if (!is_plastic())
+  BodyParts& b = *parts_;
+  b.trial.stiffness = 2.0 * stiffness_share * b.yield.material.elastic.shear_modulus();
+  b.evaluation.restore(b.state);
+  if (!b.is_plastic())
     return;
-  prepare_trial();
-  has_own_thermal_stress_ = knows_watched_traces_ = false;
-  in_increment_ = true;
-  active_.clear();
-  layers_ = grid().nz;
-  windowed_ = was_windowed_ = wants_all_cells_ = false;
-  may_use_window_ = true;
-  if (window_)
-    window_->begin_increment();
-  shift_ = shift;
+  prepare_trial(b);
+  b.trial.has_thermal_stress = false;
+  b.trial.is_open = true;
+  b.trial.active.clear();
+  b.evaluation.begin(shift);
   // In the frame of the contact q changes little from step to step: the guess moves along with the contact.
-  collect_active(stress_, shift, shortcuts_ ? active_share : -1.0);
-  restrict_to_active_layers();
-}
-
-void Body::restore()
-{
-  displacement_ = state_.residual_displacement;
-  displacement_x_ = state_.residual_displacement_x;
-  displacement_y_ = state_.residual_displacement_y;
-  has_own_thermal_stress_ = false;
-  softening_ = state_.softening;
-  if (!in_increment_)
-    return;
-  in_increment_ = knows_watched_traces_ = false;
-  const std::size_t n = grid().size();
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    with_copies(a, [&](std::size_t cell, const auto& seen)
-                { store(seen(active_.start(a)), state_.plastic_strain, n, cell); });
-  stress_ = state_.stress;
-  for (std::size_t a = 0; a < guessed_cells_.size(); ++a)
-    for (std::size_t c = 0; c < Deviator::size; ++c)
-      stress_[c * n + guessed_cells_[a]] = guessed_q_[a * Deviator::size + c];
-}
-
-void Body::compute_all_layers()
-{
-  layers_ = grid().nz;
-  leave_window();
-}
-
-void Body::leave_window()
-{
-  windowed_ = false;
-  wants_all_cells_ = true;
-}
-
-/// Adds the deviator of the initial stress xx = yy = sigma, zz = 0.
-void Body::add_initial_stress(int layers, int rows, std::span<double> stress) const
-{
-  if (material_.initial_stress.empty())
-    return;
-  const std::size_t n = grid().size();
-  for (int layer = 0; layer < layers; ++layer)
-    for (const std::size_t component : {Deviator::xx, Deviator::yy})
-    {
-      const std::size_t first = component * n + grid().index(0, 0, layer);
-      for (std::size_t cell = first; cell < first + grid().surface.index(0, rows); ++cell)
-        stress[cell] += initial_stress_[static_cast<std::size_t>(layer)] / 3.0;
-    }
+  collect_active(b, b.trial.stress, shift, b.settings.shortcuts ? active_share : -1.0);
+  b.evaluation.follow(b.trial.active, 0);
 }
 
 void Body::set_thermal_stress(std::span<const double> deviator)
 {
-  if (!is_plastic())
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
     return;
-  thermal_stress_.assign(deviator.begin(), deviator.end());
-  has_own_thermal_stress_ = true;
+  b.trial.thermal_stress.assign(deviator.begin(), deviator.end());
+  b.trial.has_thermal_stress = true;
 }
 
-void Body::add_thermal_stress(int layers, int rows, std::span<double> stress) const
+double Body::integrate(Integration integration)
 {
-  const std::vector<double>& thermal = thermal_stress();
-  if (thermal.empty())
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
+    return 0.0;
+  flow(b, integration);
+  return b.evaluation.load(b.state, b.trial.active);
+}
+
+bool Body::update(const halfspace::SurfaceLoad& load)
+{
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
+    return false;
+  b.evaluation.stress(load, b.thermal_stress(), b.trial.stress);
+  const auto acts = [](double shear) { return shear != 0.0; };
+  b.trial.bears_shear = std::any_of(load.shear_x.begin(), load.shear_x.end(), acts) ||
+                        std::any_of(load.shear_y.begin(), load.shear_y.end(), acts);
+  b.trial.yield_error = map_trials(b);
+  const std::size_t before = b.trial.active.size();
+  collect_active(b, b.trial.stress, 0, 1.0);
+  if (b.trial.active.size() == before)
+    return false;
+  b.evaluation.follow(b.trial.active, before);
+  put_on_yield_surface(b, before);
+  return true;
+}
+
+void Body::restore()
+{
+  BodyParts& b = *parts_;
+  return_to_state(b);
+  if (!b.trial.is_open)
     return;
-  const std::size_t n = grid().size();
-  for (std::size_t component = 0; component < Deviator::size; ++component)
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      const std::size_t first = component * n + grid().index(0, 0, layer);
-      for (std::size_t cell = first; cell < first + grid().surface.index(0, rows); ++cell)
-        stress[cell] += thermal[cell];
-    }
+  b.trial.is_open = false;
+  const std::size_t n = b.grid.size();
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
+    b.with_copies(a, [&](std::size_t cell, const auto& seen)
+                  { store(seen(b.trial.active.start(a)), b.state.plastic_strain, n, cell); });
+  b.trial.stress = b.state.stress;
+  for (std::size_t a = 0; a < b.trial.guessed_cells.size(); ++a)
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      b.trial.stress[c * n + b.trial.guessed_cells[a]] = b.trial.guessed_q[a * Deviator::size + c];
 }
 
-Deviator Body::backstress(std::size_t cell, std::size_t term) const
+void Body::complete_trial()
 {
-  const std::size_t n = grid().size();
-  Deviator b;
-  for (int c = 0; c < Deviator::size; ++c)
-    b[c] = state_.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + cell];
-  return b;
-}
-
-/// Centre of the yield surface before the increment.
-Deviator Body::centre(std::size_t cell) const
-{
-  Deviator sum;
-  for (std::size_t term = 0; term < material_.kinematic.size(); ++term)
-    sum = sum + backstress(cell, term);
-  return sum;
+  BodyParts& b = *parts_;
+  b.evaluation.find_displacement_x(b.state.plastic_strain);
+  if (!b.is_plastic() || b.settings.symmetry == Symmetry::none)
+    return;
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
+  {
+    const Deviator strain = deviator_at(b.state.plastic_strain, b.grid.size(), b.trial.active.cell(a));
+    b.with_copies(a, [&](std::size_t cell, const auto& seen)
+                  { store(seen(strain), b.state.plastic_strain, b.grid.size(), cell); });
+  }
+  const std::size_t layer = b.grid.surface.size();
+#pragma omp parallel for schedule(static)
+  for (std::size_t plane = 0; plane < b.trial.stress.size() / layer; ++plane)
+    complete_in_y(b.grid.surface, is_odd_in_y(static_cast<int>(plane) / b.grid.nz) ? -1.0 : 1.0,
+                  b.trial.stress.data() + plane * layer, layer);
 }
 
 void Body::commit(const halfspace::SurfaceLoad& load)
 {
-  if (!is_plastic())
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
     return;
-  const std::size_t n = grid().size();
+  const std::size_t n = b.grid.size();
+  const ActiveCells& active = b.trial.active;
 #pragma omp parallel for schedule(static)
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    with_copies(a,
-                [&](std::size_t cell, const auto& seen)
-                {
-                  state_.equivalent[cell] += active_.equivalent(a);
-                  for (std::size_t term = 0; active_.equivalent(a) > 0.0 && term < material_.kinematic.size(); ++term)
-                    store(seen(active_.backstress(a)[term]),
-                          std::span(state_.backstress).subspan(term * Deviator::size * n, Deviator::size * n), n, cell);
-                });
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    if (active_.equivalent(a) > 0.0)
-      with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { zone_.add(cell, state_.equivalent[cell]); });
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    state_.dissipation += copies(a) * active_.dissipation(a) * grid().cell_volume();
-  state_.thermal_work += thermal_work_of_trial();
-  if (has_own_thermal_stress_)
-    state_.thermal_stress.swap(thermal_stress_);
-  has_own_thermal_stress_ = false;
-  state_.softening = softening_;
-  for_pieces(stress_.size(), [&](std::size_t first, std::size_t last)
-             { std::copy(stress_.begin() + first, stress_.begin() + last, state_.stress.begin() + first); });
-  state_.residual_displacement = displacement_;
-  state_.residual_displacement_x = displacement_x_;
-  state_.residual_displacement_y = displacement_y_;
-  state_.locked_in_energy = locked_in_energy(load, zone_);
-  if (window_)
-    copy_load(load, committed_load_);
-  store_guess();
-  in_increment_ = false;
-}
-
-void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
-                       int layers)
-{
-  if (!is_plastic() || work_.empty())
-    work_ = half_space_->make_work();
-  half_space_->full_stress(load, state_.plastic_strain, work_, deviator, trace, layers);
-  add_initial_stress(grid().nz, grid().surface.ny, deviator);
-  for (std::size_t i = 0; i < trace.size(); ++i)
-    trace[i] += 2.0 * initial_stress_[i / grid().surface.size()];
-  if (!is_plastic())
-    work_ = {}; // an elastic body needs it for output only
+  for (std::size_t a = 0; a < active.size(); ++a)
+    b.with_copies(a,
+                  [&](std::size_t cell, const auto& seen)
+                  {
+                    b.state.equivalent[cell] += active.equivalent(a);
+                    const std::span<const Deviator> back = active.backstress(a);
+                    for (std::size_t term = 0; active.equivalent(a) > 0.0 && term < back.size(); ++term)
+                      store(seen(back[term]),
+                            std::span(b.state.backstress).subspan(term * Deviator::size * n, Deviator::size * n), n,
+                            cell);
+                  });
+  for (std::size_t a = 0; a < active.size(); ++a)
+    if (active.equivalent(a) > 0.0)
+      b.with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { b.zone.add(cell, b.state.equivalent[cell]); });
+  for (std::size_t a = 0; a < active.size(); ++a)
+    b.state.dissipation += b.copies(a) * active.dissipation(a) * b.grid.cell_volume();
+  b.state.thermal_work += thermal_work_of_trial(b);
+  if (b.trial.has_thermal_stress)
+    b.state.thermal_stress.swap(b.trial.thermal_stress);
+  b.trial.has_thermal_stress = false;
+  b.state.softening = b.yield.softening;
+  for_pieces(b.trial.stress.size(),
+             [&](std::size_t first, std::size_t last)
+             {
+               const auto from = b.trial.stress.begin();
+               std::copy(from + first, from + last, b.state.stress.begin() + first);
+             });
+  b.evaluation.store(b.state);
+  b.state.locked_in_energy = locked_in_energy(b, load, b.zone);
+  b.evaluation.commit(load);
+  store_guess(b);
+  b.trial.is_open = false;
 }
 
 } // namespace brinell::elastoplastic

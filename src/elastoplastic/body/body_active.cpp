@@ -1,29 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/body.hpp"
+#include "body_parts.hpp"
 #include "surface_means.hpp"
-#include "window.hpp"
-#include "with_copies.hpp"
 
 #include <algorithm>
 #include <array>
 
 namespace brinell::elastoplastic
 {
-
-namespace
-{
-
-/// Layers computed below the deepest active cell, so that cells yielding there are found at once and not only by the closing
-/// evaluation.
-constexpr int spare_layers = 1;
-
-} // namespace
-
-void Body::restrict_to_active_layers()
-{
-  const int deepest = active_.empty() ? 0 : static_cast<int>(layer_of(active_.deepest()));
-  layers_ = shortcuts_ ? std::min(grid().nz, deepest + 1 + spare_layers) : grid().nz;
-}
 
 namespace
 {
@@ -52,33 +35,32 @@ bool exceeds(const double* values, std::size_t count, double limit)
   return exceeding > 0;
 }
 
-} // namespace
-
 /// Squares of the von Mises norms of q relative to the centre of the yield surface, for consecutive cells of a row.
 /// @param q      xx component of q of the first cell, within a deviator field of the grid
 /// @param row    of the grid, counted through all layers
 /// @param first  column of the first cell
-void Body::sizes_from_centre(const double* q, std::size_t row, std::size_t first, std::span<double> squares) const
+void sizes_from_centre(const BodyParts& b, const double* q, std::size_t row, std::size_t first,
+                       std::span<double> squares)
 {
-  const std::size_t n = grid().size(), terms = material_.kinematic.size(), end = first + squares.size();
+  const std::size_t n = b.grid.size(), terms = b.yield.material.kinematic.size(), end = first + squares.size();
   von_mises_squares(q, n, squares.size(), squares.data());
   if (terms == 0)
     return;
   // Back stresses are non-zero only where the body has flowed. They are subtracted in blocks of columns.
   constexpr std::size_t block = 64;
   std::array<double, Deviator::size * block> from_centre{};
-  const auto [from, to] = zone_.columns(row);
+  const auto [from, to] = b.zone.columns(row);
   for (std::size_t column = std::max(from, first); column < std::min(to, end); column += block)
   {
     const std::size_t count = std::min(std::min(to, end) - column, block);
-    const std::size_t cell = row * static_cast<std::size_t>(grid().surface.nx) + column;
+    const std::size_t cell = row * static_cast<std::size_t>(b.grid.surface.nx) + column;
     for (std::size_t c = 0; c < Deviator::size; ++c)
     {
       double* component = from_centre.data() + c * block;
       std::copy_n(q + c * n + (column - first), count, component);
       for (std::size_t term = 0; term < terms; ++term)
       {
-        const double* back = state_.backstress.data() + (term * Deviator::size + c) * n + cell;
+        const double* back = b.state.backstress.data() + (term * Deviator::size + c) * n + cell;
 #pragma omp simd
         for (std::size_t i = 0; i < count; ++i)
           component[i] -= back[i];
@@ -90,11 +72,11 @@ void Body::sizes_from_centre(const double* q, std::size_t row, std::size_t first
 
 /// Finds cells of one layer that are not yet active and whose q lies outside the yield surface scaled by `fraction`.
 template <typename Law>
-void Body::find_cells_beyond(const Law& law, std::size_t layer, const std::vector<double>& q_field, int shift,
-                             double fraction, std::vector<std::size_t>& found) const
+void find_cells_beyond(const BodyParts& b, const Law& law, std::size_t layer, const std::vector<double>& q_field,
+                       int shift, double fraction, std::vector<std::size_t>& found)
 {
-  const SurfaceGrid& s = grid().surface;
-  const Columns columns = searched_columns();
+  const SurfaceGrid& s = b.grid.surface;
+  const Columns columns = b.evaluation.columns();
   const auto first = static_cast<std::size_t>(std::max(columns.first, shift));
   const auto last = static_cast<std::size_t>(std::max(0, std::min(columns.first + columns.count, s.nx + shift)));
   if (last <= first)
@@ -102,47 +84,47 @@ void Body::find_cells_beyond(const Law& law, std::size_t layer, const std::vecto
   const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(independent_rows(s, symmetry_)); ++j)
+  for (std::size_t j = 0; j < static_cast<std::size_t>(independent_rows(s, b.settings.symmetry)); ++j)
   {
     const std::size_t row = layer * static_cast<std::size_t>(s.ny) + j;
     const std::size_t begin = row * static_cast<std::size_t>(s.nx) + first;
-    sizes_from_centre(q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, row, first, squares);
-    if (softening_.empty() && !exceeds(squares.data(), squares.size(), initial))
+    sizes_from_centre(b, q_field.data() + static_cast<std::ptrdiff_t>(begin) - shift, row, first, squares);
+    if (b.yield.softening.empty() && !exceeds(squares.data(), squares.size(), initial))
       continue;
     for (std::size_t i = 0; i < squares.size(); ++i)
     {
       const std::size_t cell = begin + i;
-      const double softened = softening(cell) * softening(cell);
+      const double softened = b.yield.softening_at(cell) * b.yield.softening_at(cell);
       // No law softens with strain: a cell within the initial yield surface is within the current one as well.
-      if (squares[i] > initial * softened && !active_.contains(cell) &&
-          squares[i] > square(fraction * law.yield_stress_at(state_.equivalent[cell])) * softened)
+      if (squares[i] > initial * softened && !b.trial.active.contains(cell) &&
+          squares[i] > square(fraction * law.yield_stress_at(b.state.equivalent[cell])) * softened)
         found.push_back(cell);
     }
   }
 }
 
-/// Adds cells to the active set.
-/// @param q_field   on the whole grid, read `shift` columns to the left of each cell; cells without a value there are not added
-/// @param fraction  of the yield stress above which a cell is active; negative: every cell
-void Body::collect_active(const std::vector<double>& q_field, int shift, double fraction)
+} // namespace
+
+void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift, double fraction)
 {
-  const std::size_t n = grid().size();
-  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(layers_));
+  const std::size_t n = b.grid.size();
+  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(b.evaluation.layers()));
   std::visit(
       [&](const auto& law)
       {
 #pragma omp parallel for schedule(dynamic)
         for (std::size_t layer = 0; layer < found.size(); ++layer)
-          find_cells_beyond(law_of(law, layer), layer, q_field, shift, fraction, found[layer]);
+          find_cells_beyond(b, b.yield.of_layer(law, layer), layer, q_field, shift, fraction, found[layer]);
       },
-      *material_.hardening);
-  const SurfaceGrid& s = grid().surface;
+      *b.yield.material.hardening);
+  const SurfaceGrid& s = b.grid.surface;
   for (const std::vector<std::size_t>& cells : found) // by layers, so that the order does not depend on the threads
     for (const std::size_t cell : cells)
     {
       const int row = static_cast<int>(cell % s.size()) / s.nx;
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
-      active_.add(cell, q, deviator_at(state_.plastic_strain, n, cell), copies_of_row(s, symmetry_, row));
+      b.trial.active.add(cell, q, deviator_at(b.state.plastic_strain, n, cell),
+                         copies_of_row(s, b.settings.symmetry, row));
     }
 }
 
@@ -166,15 +148,17 @@ struct Flowing
 
 void Body::go_further(const std::vector<double>& residual)
 {
-  if (!bears_shear_)
+  BodyParts& b = *parts_;
+  if (!b.trial.bears_shear)
     return;
-  SurfaceMeans means(grid());
+  SurfaceMeans means(b.grid);
   std::vector<Flowing> flowing;
-  for (std::size_t a = 0; a < active_.size(); ++a)
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
   {
-    if (!means.contains(active_.cell(a)) || active_.equivalent(a) == 0.0)
+    if (!means.contains(b.trial.active.cell(a)) || b.trial.active.equivalent(a) == 0.0)
       continue;
-    const Deviator flow = deviator_at(state_.plastic_strain, grid().size(), active_.cell(a)) - active_.start(a);
+    const Deviator flow =
+        deviator_at(b.state.plastic_strain, b.grid.size(), b.trial.active.cell(a)) - b.trial.active.start(a);
     const double square = contract(flow, flow);
     if (!(square > 0.0))
       continue;
@@ -182,60 +166,59 @@ void Body::go_further(const std::vector<double>& residual)
     std::copy_n(residual.begin() + static_cast<std::ptrdiff_t>(a * Deviator::size), Deviator::size,
                 cell_residual.v.begin());
     flowing.push_back({a, flow, square, contract(cell_residual, flow) / square});
-    with_copies(a, [&](std::size_t cell, const auto& seen) { means.set(cell, flowing.back().residual * seen(flow)); });
+    b.with_copies(a,
+                  [&](std::size_t cell, const auto& seen) { means.set(cell, flowing.back().residual * seen(flow)); });
   }
   means.average();
   for (const Flowing& one : flowing)
   {
-    const std::size_t cell = active_.cell(one.a);
+    const std::size_t cell = b.trial.active.cell(one.a);
     double share = mean_extension * means.contracted(cell, one.flow) / one.square;
-    if (layer_of(cell) == 0)
+    if (b.yield.layer_of(cell) == 0)
       share += own_extension * one.residual * 2.0 *
                (one.flow[Deviator::yz] * one.flow[Deviator::yz] + one.flow[Deviator::xz] * one.flow[Deviator::xz]) /
                one.square;
-    active_.set_trial(one.a, active_.trial(one.a) + share * one.flow);
+    b.trial.active.set_trial(one.a, b.trial.active.trial(one.a) + share * one.flow);
   }
 }
 
-/// Recovers the guess from the fields, for instance of a checkpoint: guessed cells are those whose q differs from the stress.
-void Body::recover_guess()
+void recover_guess(BodyParts& b)
 {
-  const std::size_t n = grid().size();
-  guessed_cells_.clear();
-  guessed_q_.clear();
+  const std::size_t n = b.grid.size();
+  b.trial.guessed_cells.clear();
+  b.trial.guessed_q.clear();
   for (std::size_t cell = 0; cell < n; ++cell)
   {
-    const Deviator q = deviator_at(stress_, n, cell);
-    if (q.v == deviator_at(state_.stress, n, cell).v)
+    const Deviator q = deviator_at(b.trial.stress, n, cell);
+    if (q.v == deviator_at(b.state.stress, n, cell).v)
       continue;
-    guessed_cells_.push_back(cell);
-    guessed_q_.insert(guessed_q_.end(), q.v.begin(), q.v.end());
+    b.trial.guessed_cells.push_back(cell);
+    b.trial.guessed_q.insert(b.trial.guessed_q.end(), q.v.begin(), q.v.end());
   }
 }
 
-/// Stores the q of the active cells, with their mirror images, as the guess for the next increment.
-void Body::store_guess()
+void store_guess(BodyParts& b)
 {
-  guessed_cells_.clear();
-  std::vector<std::size_t> places; // index in guessed_cells_ of the first copy of each active cell
-  places.reserve(active_.size());
-  for (std::size_t a = 0; a < active_.size(); ++a)
+  b.trial.guessed_cells.clear();
+  std::vector<std::size_t> places; // index in b.trial.guessed_cells of the first copy of each active cell
+  places.reserve(b.trial.active.size());
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
   {
-    places.push_back(guessed_cells_.size());
-    with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { guessed_cells_.push_back(cell); });
+    places.push_back(b.trial.guessed_cells.size());
+    b.with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { b.trial.guessed_cells.push_back(cell); });
   }
-  guessed_q_.resize(Deviator::size * guessed_cells_.size());
+  b.trial.guessed_q.resize(Deviator::size * b.trial.guessed_cells.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t a = 0; a < places.size(); ++a)
   {
-    auto to = guessed_q_.begin() + static_cast<std::ptrdiff_t>(Deviator::size * places[a]);
-    with_copies(a,
-                [&](std::size_t cell, const auto& seen)
-                {
-                  const Deviator q = seen(active_.mapped(a));
-                  store(q, stress_, grid().size(), cell);
-                  to = std::copy(q.v.begin(), q.v.end(), to);
-                });
+    auto to = b.trial.guessed_q.begin() + static_cast<std::ptrdiff_t>(Deviator::size * places[a]);
+    b.with_copies(a,
+                  [&](std::size_t cell, const auto& seen)
+                  {
+                    const Deviator q = seen(b.trial.active.mapped(a));
+                    store(q, b.trial.stress, b.grid.size(), cell);
+                    to = std::copy(q.v.begin(), q.v.end(), to);
+                  });
   }
 }
 

@@ -1,112 +1,114 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/body.hpp"
-
+#include "body_parts.hpp"
 #include "foundation/sharing.hpp"
-#include "with_copies.hpp"
 
 /// Work and energies of a body.
 namespace brinell::elastoplastic
 {
 
-/// Locked-in elastic energy [J].
+namespace
+{
+
+/// Work of the thermal stress on the plastic strain, as a sum over cells [Pa]; times the cell volume it is an energy.
 /// @param zone  contains all cells with plastic strain
-double Body::locked_in_energy(const halfspace::SurfaceLoad& load, const PlasticZone& zone) const
+double work_of_thermal_stress(const BodyParts& b, const PlasticZone& zone)
+{
+  const std::vector<double>& thermal = b.thermal_stress();
+  if (thermal.empty())
+    return 0.0;
+  const std::size_t n = b.grid.size();
+  double work = 0.0;
+  zone.for_cells(0, n,
+                 [&](std::size_t from, std::size_t to)
+                 {
+                   for (std::size_t cell = from; cell < to; ++cell)
+                     work += contract(deviator_at(thermal, n, cell), deviator_at(b.state.plastic_strain, n, cell));
+                 });
+  return work;
+}
+
+/// Plastic zone of the state with the cells that flow in the current increment.
+PlasticZone zone_of_trial(const BodyParts& b)
+{
+  PlasticZone zone = b.zone;
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
+    if (b.trial.active.equivalent(a) > 0.0)
+      b.with_copies(a, [&](std::size_t cell, const auto& /*seen*/)
+                    { zone.add(cell, b.state.equivalent[cell] + b.trial.active.equivalent(a)); });
+  return zone;
+}
+
+} // namespace
+
+double locked_in_energy(const BodyParts& b, const halfspace::SurfaceLoad& load, const PlasticZone& zone)
 {
   // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the work of the load's stress is
   // computed on the surface by Betti's theorem. The energy of s0 itself is constant and left out.
-  const std::size_t n = grid().size();
+  const std::size_t n = b.grid.size();
   const auto work_in = [&](std::size_t first, std::size_t last)
   {
     double work = 0.0;
     zone.for_cells(first, last,
                    [&](std::size_t from, std::size_t to)
                    {
-                     const double initial = initial_stress_[layer_of(from)];
+                     const double initial = b.evaluation.initial_stress(b.yield.layer_of(from));
                      for (std::size_t cell = from; cell < to; ++cell)
                      {
-                       const Deviator strain = deviator_at(state_.plastic_strain, n, cell);
+                       const Deviator strain = deviator_at(b.state.plastic_strain, n, cell);
                        const double relieved = initial * (strain[Deviator::xx] + strain[Deviator::yy]);
-                       work += contract(deviator_at(stress_, n, cell), strain) + relieved;
+                       work += contract(deviator_at(b.trial.stress, n, cell), strain) + relieved;
                      }
                    });
     return work;
   };
   // The stress includes the thermal stress, which is not due to the plastic strain: its work is subtracted.
-  const double volume_work = sum_of_pieces(n, work_in) - work_of_thermal_stress(zone);
-  double surface_work = dot(load.pressure, displacement_);
+  const double volume_work = sum_of_pieces(n, work_in) - work_of_thermal_stress(b, zone);
+  double surface_work = dot(load.pressure, b.evaluation.displacement(0));
   if (!load.shear_x.empty())
-    surface_work += dot(load.shear_x, displacement_x_);
+    surface_work += dot(load.shear_x, b.evaluation.displacement(1));
   if (!load.shear_y.empty())
-    surface_work += dot(load.shear_y, displacement_y_);
-  return 0.5 * (surface_work * grid().surface.cell_area() - volume_work * grid().cell_volume());
+    surface_work += dot(load.shear_y, b.evaluation.displacement(2));
+  return 0.5 * (surface_work * b.grid.surface.cell_area() - volume_work * b.grid.cell_volume());
 }
 
-/// Work of the thermal stress on the plastic strain, as a sum over cells [Pa]; times the cell volume it is an energy.
-/// @param zone  contains all cells with plastic strain
-double Body::work_of_thermal_stress(const PlasticZone& zone) const
+double thermal_work_of_trial(const BodyParts& b)
 {
-  const std::vector<double>& thermal = thermal_stress();
+  const std::vector<double>& thermal = b.thermal_stress();
   if (thermal.empty())
     return 0.0;
-  const std::size_t n = grid().size();
+  const std::size_t n = b.grid.size();
   double work = 0.0;
-  zone.for_cells(0, n,
-                 [&](std::size_t from, std::size_t to)
-                 {
-                   for (std::size_t cell = from; cell < to; ++cell)
-                     work += contract(deviator_at(thermal, n, cell), deviator_at(state_.plastic_strain, n, cell));
-                 });
-  return work;
-}
-
-/// Work of the thermal stress on the plastic strain of the present increment, by the trapezoidal rule [J].
-double Body::thermal_work_of_trial() const
-{
-  const std::vector<double>& thermal = thermal_stress();
-  if (thermal.empty())
-    return 0.0;
-  const std::size_t n = grid().size();
-  double work = 0.0;
-  for (std::size_t a = 0; a < active_.size(); ++a)
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
   {
-    const std::size_t cell = active_.cell(a);
+    const std::size_t cell = b.trial.active.cell(a);
     Deviator mean = 0.5 * deviator_at(thermal, n, cell);
-    if (!state_.thermal_stress.empty())
-      mean = mean + 0.5 * deviator_at(state_.thermal_stress, n, cell);
-    work += copies(a) * contract(mean, deviator_at(state_.plastic_strain, n, cell) - active_.start(a));
+    if (!b.state.thermal_stress.empty())
+      mean = mean + 0.5 * deviator_at(b.state.thermal_stress, n, cell);
+    work += b.copies(a) * contract(mean, deviator_at(b.state.plastic_strain, n, cell) - b.trial.active.start(a));
   }
-  return work * grid().cell_volume();
-}
-
-/// Plastic zone of the state with the cells that flow in the current increment.
-PlasticZone Body::zone_of_trial() const
-{
-  PlasticZone zone = zone_;
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    if (active_.equivalent(a) > 0.0)
-      with_copies(a, [&](std::size_t cell, const auto& /*seen*/)
-                  { zone.add(cell, state_.equivalent[cell] + active_.equivalent(a)); });
-  return zone;
+  return work * b.grid.cell_volume();
 }
 
 double Body::energy(const halfspace::SurfaceLoad& load) const
 {
-  if (!is_plastic())
+  const BodyParts& b = *parts_;
+  if (!b.is_plastic())
     return 0.0;
   double dissipation = 0.0;
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    dissipation += copies(a) * active_.dissipation(a);
-  const std::optional<PlasticZone> trial = in_increment_ ? std::optional(zone_of_trial()) : std::nullopt;
-  const double locked_in = trial ? locked_in_energy(load, *trial) : state_.locked_in_energy;
-  const double thermal_work = work_of_thermal_stress(trial ? *trial : zone_) * grid().cell_volume();
-  return dissipation * grid().cell_volume() + locked_in - thermal_work;
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
+    dissipation += b.copies(a) * b.trial.active.dissipation(a);
+  const std::optional<PlasticZone> trial = b.trial.is_open ? std::optional(zone_of_trial(b)) : std::nullopt;
+  const double locked_in = trial ? locked_in_energy(b, load, *trial) : b.state.locked_in_energy;
+  const double thermal_work = work_of_thermal_stress(b, trial ? *trial : b.zone) * b.grid.cell_volume();
+  return dissipation * b.grid.cell_volume() + locked_in - thermal_work;
 }
 
 std::vector<double> Body::work_of_increment() const
 {
-  std::vector<double> work(grid().size());
-  for (std::size_t a = 0; a < active_.size(); ++a)
-    with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { work[cell] = active_.dissipation(a); });
+  const BodyParts& b = *parts_;
+  std::vector<double> work(b.grid.size());
+  for (std::size_t a = 0; a < b.trial.active.size(); ++a)
+    b.with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { work[cell] = b.trial.active.dissipation(a); });
   return work;
 }
 

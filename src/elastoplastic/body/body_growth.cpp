@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/body.hpp"
+#include "body_parts.hpp"
 #include "brinell/elastoplastic/placement.hpp"
-#include "window.hpp"
 
 namespace brinell::elastoplastic
 {
@@ -31,40 +30,30 @@ double softening_far_away(const constitutive::Material& material)
 
 void Body::continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load)
 {
-  if (!is_plastic())
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
     return;
-  state_.softening.assign(history.softening.empty() ? 0 : grid().size(), softening_far_away(material_));
+  b.state.softening.assign(history.softening.empty() ? 0 : b.grid.size(), softening_far_away(b.yield.material));
   for_parts(
       [&](std::string_view /*name*/, const Traits& traits, const auto& before, auto& now)
       {
         if constexpr (requires { before.size(); })
         {
           if (!traits.is_derived)
-            embed(from, before, grid(), now);
+            embed(from, before, b.grid, now);
         }
         else if (!traits.is_derived)
           now = before;
       },
-      history, state_);
-  zone_ = PlasticZone(grid(), state_.equivalent);
-  has_own_thermal_stress_ = false;
-  softening_ = state_.softening;
-  prepare_trial();
-  work_ = half_space_->make_work();
-  const halfspace::Displacements wanted = displacements_per_evaluation();
-  loaded_.emplace(half_space_->load(state_.plastic_strain, grid().nz, work_, wanted));
-  find_displacements(wanted);
-  loaded_->stress(load, stress_);
-  add_initial_stress(grid().nz, grid().surface.ny, stress_);
-  add_thermal_stress(grid().nz, grid().surface.ny, stress_);
-  state_.stress = stress_;
-  state_.residual_displacement = displacement_;
-  state_.residual_displacement_x = displacement_x_;
-  state_.residual_displacement_y = displacement_y_;
-  state_.locked_in_energy = locked_in_energy(load, zone_);
-  if (window_)
-    copy_load(load, committed_load_);
-  recover_guess();
+      history, b.state);
+  b.zone = PlasticZone(b.grid, b.state.equivalent);
+  b.yield.softening = b.state.softening;
+  prepare_trial(b);
+  b.evaluation.compute_anew(b.state, load, b.trial.stress);
+  b.state.stress = b.trial.stress;
+  b.evaluation.store(b.state);
+  b.state.locked_in_energy = locked_in_energy(b, load, b.zone);
+  recover_guess(b);
 }
 
 } // namespace brinell::elastoplastic

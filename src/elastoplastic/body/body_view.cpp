@@ -103,12 +103,12 @@ std::vector<double> BodyView::turned(std::span<const double> surface, double par
 
 std::vector<double> BodyView::residual_displacement_x() const
 {
-  return turned(solved_->residual_displacement_x(), -1.0);
+  return turned(solved_->residual_displacement(1), -1.0);
 }
 
 std::vector<double> BodyView::residual_displacement_y() const
 {
-  return turned(solved_->residual_displacement_y(), 1.0);
+  return turned(solved_->residual_displacement(2), 1.0);
 }
 
 std::vector<double> BodyView::shear_strength(double along_x, double along_y) const

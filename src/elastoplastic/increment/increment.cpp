@@ -127,7 +127,7 @@ double imposed_approach(const contact::Drive& drive, double found)
 
 bool CoupledContact::has_unknowns() const
 {
-  return std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.unknowns() > 0; });
+  return std::any_of(sides_.begin(), sides_.end(), [](const Side& side) { return !side.body.active().empty(); });
 }
 
 /// Calls work(side) with the index of each body. If both bodies take about as long, two or three threads take one body each: that
@@ -169,7 +169,7 @@ bool CoupledContact::update(IncrementReport& report)
 /// Number of bodies of which the last evaluation computed a window.
 std::ptrdiff_t CoupledContact::windows() const
 {
-  return std::count_if(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.was_windowed(); });
+  return std::count_if(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.scope() == Scope::near; });
 }
 
 /// Whether the errors of the fixed point are within `factor` times their tolerances. That of the residual displacement refers
@@ -269,13 +269,10 @@ IncrementReport CoupledContact::iterate(std::span<const double> distance, const 
     if (strategy.wants_stop && strategy.wants_stop())
       throw Interrupted();
     for (Side& side : sides_)
-      if (closing)
-        side.body.compute_all_layers();
-      else if (leaves_window)
-        side.body.leave_window();
+      side.body.require(closing ? Scope::all : leaves_window ? Scope::all_columns : Scope::near);
     report.displacement_error = integrate(strategy.integration);
     const bool complete =
-        std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.computes_all_layers(); });
+        std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.scope() == Scope::all; });
     solve_contact(distance, drive, placement, strategy, closing, report);
     const bool grew = update(report);
     // The first evaluation measures its change from the state before the increment: convergence needs at least a second one.

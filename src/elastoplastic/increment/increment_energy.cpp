@@ -12,7 +12,7 @@ namespace brinell::elastoplastic
 bool CoupledContact::has_energy(contact::Drive::Kind drive) const
 {
   return drive != contact::Drive::Kind::mean_gap &&
-         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.has_energy(); });
+         std::all_of(sides_.begin(), sides_.end(), [](const Side& side) { return side.body.material().kinematic.empty(); });
 }
 
 double CoupledContact::elastic_energy() const

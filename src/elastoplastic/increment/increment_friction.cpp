@@ -270,8 +270,8 @@ double CoupledContact::work_of_shear(const Side& side) const
 {
   double work = 0.0;
   for (const auto& [shear, displacement] :
-       {std::pair{std::span<const double>(side.shear[0]), side.body.residual_displacement_x()},
-        {std::span<const double>(side.shear[1]), side.body.residual_displacement_y()}})
+       {std::pair{std::span<const double>(side.shear[0]), side.body.residual_displacement(1)},
+        {std::span<const double>(side.shear[1]), side.body.residual_displacement(2)}})
     if (!displacement.empty() && !shear.empty())
       work += dot(shear, displacement) * grid().cell_area();
   return work;

@@ -71,13 +71,14 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   effects_ = make_effects(sliding.effects, contact, lower.surface, upper.surface,
                           contact_modulus(lower_material.elastic, upper_material.elastic));
   const auto half_space = operators(lower, lower_material.elastic);
-  const halfspace::Displacements displacements = displacements_under(interface_.get());
-  sides_.push_back(
-      {Body(lower, half_space, lower_material, settings.shortcuts, displacements, symmetry_, settings.windows),
-       &Placement::lower});
+  const BodySettings of_body{.shortcuts = settings.shortcuts,
+                             .displacements = displacements_under(interface_.get()),
+                             .symmetry = symmetry_,
+                             .windows = settings.windows};
+  sides_.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
   if (twin == Twin::none)
     sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
-                                   upper_material, settings.shortcuts, displacements, symmetry_, settings.windows),
+                                   upper_material, of_body),
                       .place = &Placement::upper,
                       .shear_sign = -1.0});
 }

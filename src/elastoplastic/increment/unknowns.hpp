@@ -19,17 +19,11 @@ template <typename Part>
 concept Participant = requires(Part& part, const Part& fixed)
 {
   {
-    fixed.unknowns()
-    } -> std::same_as<std::size_t>; ///< number of unknowns; it may grow within an increment, but not shrink
+    fixed.active()
+    } -> std::same_as<const ActiveCells&>; ///< their number may grow within an increment, but not shrink
   {
     part.trial()
     } -> std::same_as<std::vector<double>&>;
-  {
-    fixed.mapped()
-    } -> std::same_as<const std::vector<double>&>;
-  {
-    fixed.flow()
-    } -> std::same_as<const std::vector<double>&>; ///< see ActiveCells::flow
   {
     part.go_further(std::vector<double>{})
     } -> std::same_as<void>; ///< see Body::go_further
@@ -46,7 +40,7 @@ public:
   {
     places_.resize(sides.size());
     for (std::size_t part = 0; part < sides.size(); ++part)
-      while (places_[part].size() < sides[part].body.unknowns())
+      while (places_[part].size() < sides[part].body.active().trials().size())
         places_[part].push_back(size_++);
   }
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -69,8 +63,8 @@ public:
     for (std::size_t part = 0; part < places_.size(); ++part)
     {
       const std::vector<double>& trial = sides[part].body.trial();
-      const std::vector<double>& mapped = sides[part].body.mapped();
-      const std::vector<double>& flow = sides[part].body.flow();
+      const std::vector<double>& mapped = sides[part].body.active().mapped();
+      const std::vector<double>& flow = sides[part].body.active().flow();
       for_pieces(trial.size(),
                  [&](std::size_t first, std::size_t last)
                  {
@@ -133,7 +127,7 @@ public:
       anderson_.change_map();
     unknowns_.grow(sides);
     if (auto* const body = unknowns_.only_one(sides))
-      anderson_.advance(body->trial(), body->mapped(), body->flow());
+      anderson_.advance(body->trial(), body->active().mapped(), body->active().flow());
     else
     {
       unknowns_.pack(sides, x_, g_, y_);

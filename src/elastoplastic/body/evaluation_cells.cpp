@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/body.hpp"
+#include "evaluation.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -24,11 +24,11 @@ std::size_t independent_cell(const SurfaceGrid& surface, std::size_t cell, Symme
 } // namespace
 
 /// Computes the traces in the watched cells; to be called after the stress of an evaluation of all cells.
-void Body::find_watched_traces(const halfspace::SurfaceLoad& load)
+void Evaluation::find_traces(const halfspace::SurfaceLoad& load)
 {
-  const SurfaceGrid& surface = grid().surface;
+  const SurfaceGrid& surface = grid_.surface;
   std::vector<double> layer(surface.size());
-  std::size_t known = grid().size();
+  std::size_t known = grid_.size();
   watched_trace_.resize(watched_.size());
   for (std::size_t n = 0; n < watched_.size(); ++n) // in the order of the layers
   {
@@ -39,65 +39,60 @@ void Body::find_watched_traces(const halfspace::SurfaceLoad& load)
     }
     watched_trace_[n] = layer[independent_cell(surface, watched_[n] % surface.size(), symmetry_)];
   }
-  knows_watched_traces_ = true;
+  knows_traces_ = true;
 }
 
 /// Whether the traces in some cells are known. If not, they will be from the next increment on.
-bool Body::watches(std::span<const std::size_t> cells)
+bool Evaluation::watches(std::span<const std::size_t> cells)
 {
   const auto is_watched = [&](std::size_t cell) { return std::ranges::binary_search(watched_, cell); };
   if (std::ranges::all_of(cells, is_watched))
-    return knows_watched_traces_;
+    return knows_traces_;
   watched_.insert(watched_.end(), cells.begin(), cells.end());
   std::ranges::sort(watched_);
   watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
-  knows_watched_traces_ = false;
+  knows_traces_ = false;
   return false;
 }
 
-/// Deviator of the state in a cell, and the trace of the initial stress.
-Body::CellStress Body::stress_of_state(std::size_t cell) const
+std::vector<Body::CellStress> Evaluation::stress_at(std::span<const std::size_t> cells,
+                                                    const halfspace::SurfaceLoad& load, const BodyState& state)
 {
-  const std::size_t n = grid().size();
-  Deviator deviator = deviator_at(state_.stress, n, cell);
-  if (!state_.thermal_stress.empty())
-    deviator = deviator - deviator_at(state_.thermal_stress, n, cell);
-  return {deviator, 2.0 * initial_stress_[layer_of(cell)]};
-}
-
-std::vector<Body::CellStress> Body::stress_at(std::span<const std::size_t> cells, const halfspace::SurfaceLoad& load)
-{
-  if (!is_plastic())
+  if (!is_plastic_)
     return elastic_stress_at(cells, load);
-  std::vector<CellStress> result;
+  const std::size_t n = grid_.size();
+  std::vector<Body::CellStress> result;
   if (!watches(cells))
   {
-    const std::size_t n = grid().size(), deepest = *std::ranges::max_element(cells);
     std::vector<double> deviator(Deviator::size * n), trace(n);
-    full_stress(load, deviator, trace, static_cast<int>(layer_of(deepest)) + 1);
+    full_stress(load, state.plastic_strain, deviator, trace,
+                static_cast<int>(layer_of(*std::ranges::max_element(cells))) + 1);
     for (const std::size_t cell : cells)
       result.push_back({deviator_at(deviator, n, cell), trace[cell]});
     return result;
   }
   for (const std::size_t cell : cells)
   {
-    result.push_back(stress_of_state(cell));
-    result.back().trace +=
-        watched_trace_[static_cast<std::size_t>(std::ranges::lower_bound(watched_, cell) - watched_.begin())];
+    Deviator deviator = deviator_at(state.stress, n, cell);
+    if (!state.thermal_stress.empty())
+      deviator = deviator - deviator_at(state.thermal_stress, n, cell);
+    const auto place = std::ranges::lower_bound(watched_, cell) - watched_.begin();
+    result.push_back(
+        {deviator, 2.0 * initial_stress(layer_of(cell)) + watched_trace_[static_cast<std::size_t>(place)]});
   }
   return result;
 }
 
 /// Stress of the load and the initial stress, layer by layer.
-std::vector<Body::CellStress> Body::elastic_stress_at(std::span<const std::size_t> cells,
-                                                      const halfspace::SurfaceLoad& load)
+std::vector<Body::CellStress> Evaluation::elastic_stress_at(std::span<const std::size_t> cells,
+                                                            const halfspace::SurfaceLoad& load)
 {
-  const std::size_t plane = grid().surface.size();
+  const std::size_t plane = grid_.surface.size();
   std::vector<double> stress((Deviator::size + 1) * plane);
-  std::vector<CellStress> result(cells.size());
+  std::vector<Body::CellStress> result(cells.size());
   if (work_.empty())
     work_ = half_space_->make_guest();
-  std::size_t known = grid().size();
+  std::size_t known = grid_.size();
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
     const std::size_t layer = layer_of(cells[n]), at = cells[n] % plane;
@@ -105,7 +100,7 @@ std::vector<Body::CellStress> Body::elastic_stress_at(std::span<const std::size_
       half_space_->stress_of_load(load, static_cast<int>(layer), work_, stress);
     known = layer;
     const double initial = initial_stress_[layer];
-    CellStress& found = result[n];
+    Body::CellStress& found = result[n];
     for (int c = 0; c < Deviator::size; ++c)
       found.deviator[c] = stress[static_cast<std::size_t>(c) * plane + at] +
                           (c == Deviator::xx || c == Deviator::yy ? initial / 3.0 : 0.0);
