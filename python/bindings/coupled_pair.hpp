@@ -90,13 +90,12 @@ public:
     const auto d = values(distance, shape(contact_.grid()), "distance");
     PythonCalls python;
     strategy.wants_stop = [&] { return python.wants_stop(); };
-    strategy.slides = slid != 0.0;
-    strategy.slid = std::abs(slid);
-    const contact::TangentialDrive along{{contact::TangentialDrive::Kind::shift, slid}, {}};
+    const elastoplastic::Motion motion{
+        .along = {{contact::TangentialDrive::Kind::shift, slid}, {}}, .slides = slid != 0.0, .slid = std::abs(slid)};
     IncrementReport report;
     try
     {
-      report = without_lock([&] { return contact_.advance(d, drive, placement, strategy, along); });
+      report = without_lock([&] { return contact_.advance(d, drive, placement, strategy, motion); });
     }
     catch (const Interrupted&) // by what Python raised
     {
@@ -139,7 +138,7 @@ public:
                      [&]
                      {
                        const CoupledContact::Stress s =
-                           upper ? contact_.upper_stress(placement_.upper) : contact_.lower_stress(placement_.lower);
+                           contact_.stress(upper ? 1 : 0, upper ? placement_.upper : placement_.lower);
                        return six_fields(s.deviator, s.trace);
                      }),
                  tensor_shape((upper ? contact_.upper() : contact_.lower()).grid()));

@@ -62,7 +62,7 @@ public:
         const double x = (i - 0.5 * (g.nx - 1)) * g.dx, y = (j - 0.5 * (g.ny - 1)) * g.dy;
         gap_[g.index(i, j)] = x * x + y * y - ratio * exact_critical().interference; // 2R = 1 m
       }
-    const IncrementReport report = pair_.advance(gap_, {}, {}, {Integration::path, 100, 6});
+    const IncrementReport report = pair_.advance(gap_, {}, {}, {.max_evaluations = 100});
     if (!report.converged || !std::isfinite(load()))
       throw std::runtime_error("no convergence at " + std::to_string(ratio));
     return report;

@@ -61,7 +61,7 @@ public:
     double tolerance = 0.0;    ///< of displacements [m]
     double approach = 0.0;     ///< largest approach of the bodies in the run [m]
     std::function<bool()> wants_stop{};
-    std::optional<double> share_at_rest{}; ///< see Strategy::share_at_rest
+    std::optional<double> share_at_rest{}; ///< see Motion::share_at_rest
   };
   /// Largest changes made by an update.
   struct Change

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/field_table.hpp"
 #include "brinell/foundation/grid.hpp"
 
 #include <span>
@@ -45,26 +44,5 @@ bool spread_traction(const SurfaceGrid& contact, std::span<const double> tractio
 /// @returns whether all of the depth lies on the body's grid; the part beyond is left out.
 bool spread_volume(const SurfaceGrid& contact, std::span<const double> depth, double factor, const Place& place,
                    const SurfaceGrid& body, std::span<double> out);
-
-/// Copies a field of a grid into the centre of a larger one.
-void embed_field(const SurfaceGrid& small, std::span<const double> from, const SurfaceGrid& large,
-                 std::span<double> to);
-
-/// Takes over a state with fields on the surface from a smaller grid: all but what is derived from the rest.
-template <typename State>
-void embed_state(const SurfaceGrid& small, const State& from, const SurfaceGrid& large, State& to)
-{
-  for_parts(
-      [&](std::string_view /*name*/, const Traits& traits, const auto& before, auto& now)
-      {
-        if (traits.is_derived)
-          return;
-        if constexpr (requires { before.size(); })
-          embed_field(small, before, large, now);
-        else
-          now = before;
-      },
-      from, to);
-}
 
 } // namespace brinell::elastoplastic

@@ -109,7 +109,7 @@ private:
   /// (1 - 2 nu)/(2 mu) [1/Pa]: couples pressure to displacement along x, and shear to displacement along z.
   double lower_weight_, upper_weight_;
   bool slides_ = false, is_held_ = false;
-  std::optional<double> share_at_rest_; ///< Strategy::share_at_rest
+  std::optional<double> share_at_rest_; ///< Motion::share_at_rest
   std::vector<double> limit_, shear_at_start_;
   State state_, before_; ///< now, and before the increment
   std::vector<double>

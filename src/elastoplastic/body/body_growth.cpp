@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "body_parts.hpp"
-#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/embedding.hpp"
 
 namespace brinell::elastoplastic
 {

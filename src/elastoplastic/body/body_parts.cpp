@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "body_parts.hpp"
 
-/// What a body tells of itself and of its parts.
+/// Access to the parts of a body.
 namespace brinell::elastoplastic
 {
 

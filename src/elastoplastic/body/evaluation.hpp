@@ -94,7 +94,7 @@ private:
   bool has_initial_stress_;
   halfspace::HalfSpace::Work work_;
   std::span<const double> strain_;                     ///< of the present trial
-  std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< the same, transformed
+  std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain in waves
   int layers_;
   std::array<std::vector<double>, 3> displacement_;
   bool knows_displacement_x_ = false; ///< whether it is that of the present trial

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heated_side.hpp"
 
+#include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/sharing.hpp"
 

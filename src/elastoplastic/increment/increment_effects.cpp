@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/increment.hpp"
+#include "contact_parts.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
@@ -8,56 +8,59 @@
 namespace brinell::elastoplastic
 {
 
-/// Pressure, shear and slip of the present trial.
-Interaction CoupledContact::interaction() const
+namespace
 {
-  return {interface_.get(), pressure_, slid_};
+
+/// Sums the compliances of the effects.
+void find_compliance(ContactParts& c)
+{
+  const auto has = [](const std::unique_ptr<Effect>& effect) { return !effect->compliance().empty(); };
+  if (std::none_of(c.effects.begin(), c.effects.end(), has))
+    return;
+  c.compliance_of_effects.assign(c.state.pressure.size(), 0.0);
+  for (const std::unique_ptr<Effect>& effect : c.effects)
+    for (std::size_t i = 0; i < effect->compliance().size(); ++i)
+      c.compliance_of_effects[i] += effect->compliance()[i];
+}
+
+} // namespace
+
+Interaction interaction(const ContactParts& c)
+{
+  return {c.interface.get(), c.state.pressure, c.slid};
 }
 
 const Wear* CoupledContact::wear() const
 {
-  for (const std::unique_ptr<Effect>& one : effects_)
+  const ContactParts& c = *parts_;
+  for (const std::unique_ptr<Effect>& one : c.effects)
     if (const auto* found = dynamic_cast<const Wear*>(one.get()))
       return found;
   return nullptr;
 }
 
-void CoupledContact::begin_effects()
+void begin_effects(ContactParts& c)
 {
-  const Interaction before = interaction();
-  for (const std::unique_ptr<Effect>& effect : effects_)
+  const Interaction before = interaction(c);
+  for (const std::unique_ptr<Effect>& effect : c.effects)
     effect->begin(before);
-  find_compliance();
+  find_compliance(c);
 }
 
-/// Lets the effects follow the trial.
-/// @returns the largest change of the gap by one of them [m]
-double CoupledContact::evaluate_effects()
+double evaluate_effects(ContactParts& c)
 {
-  const Interaction trial = interaction();
+  const Interaction trial = interaction(c);
   double change = 0.0;
-  for (const std::unique_ptr<Effect>& effect : effects_)
+  for (const std::unique_ptr<Effect>& effect : c.effects)
     change = larger(change, effect->evaluate(trial));
-  find_compliance();
+  find_compliance(c);
   return change;
 }
 
-/// Sums the compliances of the effects.
-void CoupledContact::find_compliance()
-{
-  const auto has = [](const std::unique_ptr<Effect>& effect) { return !effect->compliance().empty(); };
-  if (std::none_of(effects_.begin(), effects_.end(), has))
-    return;
-  compliance_of_effects_.assign(pressure_.size(), 0.0);
-  for (const std::unique_ptr<Effect>& effect : effects_)
-    for (std::size_t i = 0; i < effect->compliance().size(); ++i)
-      compliance_of_effects_[i] += effect->compliance()[i];
-}
-
-double CoupledContact::largest_depth_of_effects() const
+double largest_depth_of_effects(const ContactParts& c)
 {
   double depth = 0.0;
-  for (const std::unique_ptr<Effect>& effect : effects_)
+  for (const std::unique_ptr<Effect>& effect : c.effects)
     depth = std::max(depth, effect->largest_depth());
   return depth;
 }

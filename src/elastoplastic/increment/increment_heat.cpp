@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/increment.hpp"
+#include "contact_parts.hpp"
 
 #include <vector>
 
@@ -7,80 +7,76 @@
 namespace brinell::elastoplastic
 {
 
-void CoupledContact::begin_heating(const Placement& placement, const Strategy& strategy)
+void begin_heating(ContactParts& c, const Task& task)
 {
   // In the transient regime the heat accumulates, and its motion follows the placement by columns, so that each flux begins where
   // the previous one ended. A steady flux moves with the exact velocity of the contact.
   std::array<double, 2> columns{};
-  if (heating_->is_steady())
-    columns = {strategy.moved[0] / grid().dx, strategy.moved[1] / grid().dx};
-  else if (!strategy.is_put_down)
-    columns = columns_moved(placement);
-  heating_->begin({.grids = {lower().grid(), upper().grid()},
-                   .places = {placement.lower, placement.upper},
-                   .columns = columns,
-                   .duration = strategy.duration,
-                   .slides = interface_->knows_slip() ? strategy.slid > 0.0 : strategy.slides,
-                   .pressure_before = pressure_,
-                   .is_source_on = !strategy.returns});
-  for (std::size_t side = 0; side < sides_.size() && strategy.duration > 0.0; ++side)
+  if (c.heating->is_steady())
+    columns = {task.motion.moved[0] / c.grid().dx, task.motion.moved[1] / c.grid().dx};
+  else if (!task.motion.is_put_down)
+    columns = columns_moved(c, task.placement);
+  c.heating->begin({.grids = c.grids(),
+                    .places = {task.placement.lower, task.placement.upper},
+                    .columns = columns,
+                    .duration = task.motion.duration,
+                    .slides = c.interface->knows_slip() ? task.motion.slid > 0.0 : task.motion.slides,
+                    .pressure_before = c.state.pressure,
+                    .is_source_on = !task.motion.returns});
+  for (std::size_t side = 0; side < c.sides.size() && task.motion.duration > 0.0; ++side)
   {
-    sides_[side].body.set_thermal_stress(heating_->stress(side));
-    sides_[side].body.set_softening(heating_->softening(side));
+    c.sides[side].body.set_thermal_stress(c.heating->stress(side));
+    c.sides[side].body.set_softening(c.heating->softening(side));
   }
 }
 
-/// Computes the fluxes for pressure and slip of the trial.
-/// @returns the largest change of the thermal displacement [m]
-double CoupledContact::follow_heat(Heating::Sharing sharing)
+double follow_heat(ContactParts& c, Heating::Sharing sharing)
 {
-  return heating_->follow(pressure_, interface_->heat_of_trial(slid_), sharing);
+  return c.heating->follow(c.state.pressure, c.interface->heat_of_trial(c.slid), sharing);
 }
 
-/// Plastic work of the trial in the bodies that it heats, per cell [J/m^3]; empty for others.
-std::array<std::vector<double>, 2> CoupledContact::works_that_heat() const
+std::array<std::vector<double>, 2> works_that_heat(const ContactParts& c)
 {
   std::array<std::vector<double>, 2> works;
-  for (std::size_t side = 0; side < sides_.size() && heating_; ++side)
-    if (heating_->takes_work(side))
-      works[side] = sides_[side].body.work_of_increment();
+  for (std::size_t side = 0; side < c.sides.size() && c.heating; ++side)
+    if (c.heating->takes_work(side))
+      works[side] = c.sides[side].body.work_of_increment();
   return works;
 }
 
-/// Final heat of a converged increment, before anything is committed.
-/// @throws GridError, ConvergenceError
-void CoupledContact::find_heat_of_increment(const Strategy& strategy, const std::array<std::vector<double>, 2>& works)
+void find_heat_of_increment(ContactParts& c, const Motion& motion, const std::array<std::vector<double>, 2>& works)
 {
-  heating_->find_fluxes(pressure_, interface_->heat_of_increment(strategy.slid));
-  heating_->require_room(pressure_, works, {lower().grid(), upper().grid()});
+  c.heating->find_fluxes(c.state.pressure, c.interface->heat_of_increment(motion.slid));
+  c.heating->require_room(c.state.pressure, works, c.grids());
 }
 
-void CoupledContact::settle_heating(const std::array<std::vector<double>, 2>& works)
+void settle_heating(ContactParts& c, const std::array<std::vector<double>, 2>& works)
 {
-  for (std::size_t side = 0; side < sides_.size(); ++side)
+  for (std::size_t side = 0; side < c.sides.size(); ++side)
     if (!works[side].empty())
-      heating_->settle_work(side, works[side], sides_[side].body.grid());
-  const std::array<std::vector<double>, 2> shears = interface_->mean_shears();
-  heating_->settle(pressure_, {shears[0], shears[1]});
+      c.heating->settle_work(side, works[side], c.sides[side].body.grid());
+  const std::array<std::vector<double>, 2> shears = c.interface->mean_shears();
+  c.heating->settle(c.state.pressure, {shears[0], shears[1]});
 }
 
 double CoupledContact::expansion_work() const
 {
-  if (!heating_)
+  const ContactParts& c = *parts_;
+  if (!c.heating)
     return 0.0;
   double on_strain = 0.0;
-  for (const Side& side : sides_)
+  for (const Side& side : c.sides)
     on_strain += side.body.state().thermal_work;
-  return heating_->work_on_tractions() + (twin_ == Twin::none ? 1.0 : 2.0) * on_strain;
+  return c.heating->work_on_tractions() + (c.twin == Twin::none ? 1.0 : 2.0) * on_strain;
 }
 
-/// Adds the thermal stress of a body; for a twin the fields of the solved body are turned by the view.
-void CoupledContact::add_thermal_stress(std::size_t side, const BodyView& view, Stress& stress) const
+void add_thermal_stress(const ContactParts& c, std::size_t side, CoupledContact::Stress& stress)
 {
-  if (!heating_)
+  if (!c.heating)
     return;
+  const BodyView view = c.view(side);
   std::vector<double> deviator(stress.deviator.size()), trace(stress.trace.size());
-  heating_->layers(side, view.grid(), {.temperature = {}, .deviator = deviator, .trace = trace});
+  c.heating->layers(side, view.grid(), {.temperature = {}, .deviator = deviator, .trace = trace});
   view.turn(deviator, trace);
   for (std::size_t i = 0; i < deviator.size(); ++i)
     stress.deviator[i] += deviator[i];
@@ -88,12 +84,12 @@ void CoupledContact::add_thermal_stress(std::size_t side, const BodyView& view, 
     stress.trace[i] += trace[i];
 }
 
-/// Adds the thermal stress in some cells and sets their temperatures, layer by layer.
-void CoupledContact::add_heat(std::size_t side, const BodyView& view, std::span<const std::size_t> cells,
-                              std::vector<CellState>& states) const
+void add_heat(const ContactParts& c, std::size_t side, std::span<const std::size_t> cells,
+              std::vector<CoupledContact::CellState>& states)
 {
-  if (!heating_)
+  if (!c.heating)
     return;
+  const BodyView view = c.view(side);
   const std::size_t size = view.grid().surface.size();
   std::vector<double> temperature(size), deviator(Deviator::size * size), trace(size);
   std::size_t known = view.grid().size();
@@ -101,7 +97,7 @@ void CoupledContact::add_heat(std::size_t side, const BodyView& view, std::span<
   {
     const std::size_t cell = view.solved_cell(cells[n]), layer = cell / size, at = cell % size;
     if (layer != known)
-      heating_->layer(side, view.grid(), layer, {temperature, deviator, trace});
+      c.heating->layer(side, view.grid(), layer, {temperature, deviator, trace});
     known = layer;
     states[n].stress.deviator = states[n].stress.deviator + view.turned(deviator_at(deviator, size, at));
     states[n].stress.trace += trace[at];
@@ -109,12 +105,14 @@ void CoupledContact::add_heat(std::size_t side, const BodyView& view, std::span<
   }
 }
 
-std::vector<double> CoupledContact::temperature(std::size_t side, const BodyView& view) const
+std::vector<double> CoupledContact::temperature(std::size_t side) const
 {
-  if (!heating_ || view.material().elastic.is_rigid())
+  const ContactParts& c = *parts_;
+  const BodyView view = c.view(side);
+  if (!c.heating || view.material().elastic.is_rigid())
     return {};
   std::vector<double> result(view.grid().size()), none;
-  heating_->layers(side, view.grid(), {.temperature = result, .deviator = {}, .trace = {}});
+  c.heating->layers(side, view.grid(), {.temperature = result, .deviator = {}, .trace = {}});
   view.turn(none, result);
   for (double& t : result)
     t += view.material().temperature;

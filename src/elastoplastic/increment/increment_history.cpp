@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/increment.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
+#include "contact_parts.hpp"
 
 #include <algorithm>
 #include <string>
@@ -28,74 +29,72 @@ void exchange_texture(Archive& archive, const std::string& name, const std::vect
 
 void CoupledContact::exchange(Archive& archive)
 {
-  for (Side& side : sides_)
-    archive(&side == &sides_.front() ? "lower" : "upper", side.body);
-  exchange_texture(archive, "lower.texture", textures_.lower);
-  exchange_texture(archive, "upper.texture", textures_.upper);
-  for (const auto& [name, place] : {std::pair{"lower", &placement_.lower}, {"upper", &placement_.upper}})
+  ContactParts& c = *parts_;
+  for (Side& side : c.sides)
+    archive(&side == &c.sides.front() ? "lower" : "upper", side.body);
+  exchange_texture(archive, "lower.texture", c.textures.lower);
+  exchange_texture(archive, "upper.texture", c.textures.upper);
+  for (const auto& [name, place] : {std::pair{"lower", &c.placement.lower}, {"upper", &c.placement.upper}})
   {
     constexpr int max_columns = 1 << 28; // differences stay whole numbers
     archive(std::string(name) + ".column", place->column, -max_columns, max_columns);
     archive(std::string(name) + ".fraction", place->fraction, 0.0, 1.0);
   }
-  archive("window_error", window_error_);
-  archive("approach", approach_);
-  archive("pressure", pressure_);
-  archive("gap", gap_);
-  if (interface_)
-    archive("sliding", *interface_);
-  if (heating_)
-    archive("heating", *heating_);
-  for (const std::unique_ptr<Effect>& effect : effects_)
+  archive("window_error", c.window_error);
+  exchange_members(archive, c.state);
+  if (c.interface)
+    archive("sliding", *c.interface);
+  if (c.heating)
+    archive("heating", *c.heating);
+  for (const std::unique_ptr<Effect>& effect : c.effects)
     archive(std::string(effect->name()), *effect);
 }
 
 History CoupledContact::take_history() &&
 {
-  History history{grid(),
-                  lower().grid(),
-                  upper().grid(),
-                  {},
-                  placement_,
-                  approach_,
-                  std::move(pressure_),
-                  std::move(interface_),
-                  std::move(heating_),
-                  std::move(effects_)};
-  for (Side& side : sides_)
+  ContactParts& c = *parts_;
+  History history{.contact = c.grid(),
+                  .grids = c.grids(),
+                  .state = std::move(c.state),
+                  .placement = c.placement,
+                  .interface = std::move(c.interface),
+                  .heating = std::move(c.heating),
+                  .effects = std::move(c.effects)};
+  for (Side& side : c.sides)
     history.solved.push_back(std::move(side.body).take_state());
   return history;
 }
 
 void CoupledContact::continue_from(History history)
 {
+  ContactParts& c = *parts_;
   const auto columns_added = [](int now, int before)
   {
     if (now < before || (now - before) % 2 != 0)
       throw InternalError("CoupledContact: a history continues on larger grids with the same middle");
     return (now - before) / 2;
   };
-  const int columns = columns_added(grid().nx, history.contact.nx);
-  static_cast<void>(columns_added(grid().ny, history.contact.ny));
-  embed_field(history.contact, history.pressure, grid(), pressure_);
-  approach_ = history.approach;
-  placement_ = history.placement;
-  placement_.lower.column += columns_added(lower().grid().surface.nx, history.lower_grid.surface.nx) - columns;
-  placement_.upper.column += columns_added(upper().grid().surface.nx, history.upper_grid.surface.nx) - columns;
-  if (interface_)
-    interface_->embed(*history.interface);
+  const int columns = columns_added(c.grid().nx, history.contact.nx);
+  static_cast<void>(columns_added(c.grid().ny, history.contact.ny));
+  embed_state(history.contact, history.state, c.grid(), c.state);
+  c.placement = history.placement;
+  for (std::size_t side = 0; side < 2; ++side)
+    (side == 0 ? c.placement.lower : c.placement.upper).column +=
+        columns_added(c.view(side).grid().surface.nx, history.grids[side].surface.nx) - columns;
+  if (c.interface)
+    c.interface->embed(*history.interface);
   if (history.heating)
   {
-    heating_ = std::move(history.heating); // the thermal grids do not grow
-    heating_->move_to(grid());
+    c.heating = std::move(history.heating); // the thermal grids do not grow
+    c.heating->move_to(c.grid());
   }
-  for (std::size_t i = 0; i < effects_.size(); ++i)
-    effects_[i]->embed(*history.effects[i]);
-  spread(placement_);
-  for (std::size_t i = 0; i < sides_.size(); ++i)
-    sides_[i].body.continue_from(history.solved[i], i == 0 ? history.lower_grid : history.upper_grid, sides_[i].load());
-  if (interface_)
-    recall_friction();
+  for (std::size_t i = 0; i < c.effects.size(); ++i)
+    c.effects[i]->embed(*history.effects[i]);
+  spread(c, c.placement);
+  for (std::size_t i = 0; i < c.sides.size(); ++i)
+    c.sides[i].body.continue_from(history.solved[i], history.grids[i], c.sides[i].load());
+  if (c.interface)
+    recall_friction(c);
 }
 
 } // namespace brinell::elastoplastic

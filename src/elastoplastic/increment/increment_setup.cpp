@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/increment.hpp"
-
 #include "brinell/foundation/error.hpp"
+#include "contact_parts.hpp"
 #include "foundation/require_size.hpp"
 
 #include <utility>
@@ -41,11 +40,14 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures, double reference,
                                const Sliding& sliding, Symmetry symmetry)
-    : compliance_(contact, contact_modulus(lower_material.elastic, upper_material.elastic), reference),
-      contact_(compliance_), textures_(std::move(textures)), scales_(scales), settings_(settings), twin_(twin),
-      symmetry_(sliding.sticks ? Symmetry::none : symmetry), pressure_(contact.size(), 0.0), gap_(contact.size(), 0.0),
-      distance_(contact.size(), 0.0)
+    : parts_(make_hidden<ContactParts>(
+          halfspace::SurfaceCompliance(contact, contact_modulus(lower_material.elastic, upper_material.elastic),
+                                       reference),
+          std::move(textures), scales, settings, twin, sliding.sticks ? Symmetry::none : symmetry))
 {
+  ContactParts& c = *parts_;
+  for (std::vector<double>* field : {&c.state.pressure, &c.state.gap, &c.distance})
+    field->assign(contact.size(), 0.0);
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy || s.boundary_x != contact.boundary_x ||
         s.boundary_y != contact.boundary_y || (contact.is_periodic_x() && s.nx != contact.nx))
@@ -53,7 +55,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const bool are_alike = lower == upper && lower_material.elastic == upper_material.elastic;
   if (twin != Twin::none && !(are_alike && lower_material == upper_material))
     throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
-  for (const auto& [texture, grid] : {std::pair{&textures_.lower, &lower}, {&textures_.upper, &upper}})
+  for (const auto& [texture, grid] : {std::pair{&c.textures.lower, &lower}, {&c.textures.upper, &upper}})
     if (!texture->empty())
       require_size("CoupledContact: the texture", *texture, grid->surface.size());
   const bool has_friction = sliding.friction.coefficient > 0.0;
@@ -61,35 +63,36 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
   // Heat needs an interface, if need be without friction; with an interface pressure and effects are solved in turns.
   if (has_friction || sliding.heat || sliding.effects.need_turns())
-    interface_ = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
+    c.interface = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
   if (sliding.heat)
-    heating_ = std::make_unique<Heating>(
+    c.heating = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
-        *sliding.heat, twin, HeatNumerics{settings.shortcuts, symmetry_, partial_slip() != nullptr});
+        *sliding.heat, twin, HeatNumerics{settings.shortcuts, c.symmetry, c.may_stick()});
   if (twin != Twin::none && !sliding.effects.are_alike())
     throw InternalError("CoupledContact: bodies on which an effect acts in different ways are not twins");
-  effects_ = make_effects(sliding.effects, contact, lower.surface, upper.surface,
-                          contact_modulus(lower_material.elastic, upper_material.elastic));
+  c.effects = make_effects(sliding.effects, contact, lower.surface, upper.surface,
+                           contact_modulus(lower_material.elastic, upper_material.elastic));
   const auto half_space = operators(lower, lower_material.elastic);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
-                             .displacements = displacements_under(interface_.get()),
-                             .symmetry = symmetry_,
+                             .displacements = displacements_under(c.interface.get()),
+                             .symmetry = c.symmetry,
                              .windows = settings.windows};
-  sides_.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
+  c.sides.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
   if (twin == Twin::none)
-    sides_.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
-                                   upper_material, of_body),
-                      .place = &Placement::upper,
-                      .shear_sign = -1.0});
+    c.sides.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
+                                    upper_material, of_body),
+                       .place = &Placement::upper,
+                       .shear_sign = -1.0});
 }
 
 void CoupledContact::set_softening(std::span<const double> lower, std::span<const double> upper)
 {
-  if (twin_ != Twin::none && !upper.empty())
+  ContactParts& c = *parts_;
+  if (c.twin != Twin::none && !upper.empty())
     throw InternalError("CoupledContact: an upper body that is a twin has the softening of the lower one");
-  sides_.front().body.set_softening(lower);
-  if (twin_ == Twin::none)
-    sides_.back().body.set_softening(upper);
+  c.sides.front().body.set_softening(lower);
+  if (c.twin == Twin::none)
+    c.sides.back().body.set_softening(upper);
 }
 
 } // namespace brinell::elastoplastic

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/elastoplastic/increment.hpp"
-
 #include "brinell/contact/contact_stiffness.hpp"
 #include "brinell/foundation/error.hpp"
+#include "contact_parts.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
 
@@ -16,45 +15,8 @@ namespace brinell::elastoplastic
 namespace
 {
 
-void add_depth_of(const BodyView& view, const Place& place, const SurfaceGrid& contact, std::span<double> out)
-{
-  require_size("CoupledContact: the depth", out, contact.size());
-  const auto add = [&](std::span<const double> displacement)
-  { add_depth(view.grid().surface, displacement, view.texture(), place, contact, out); };
-  if (view.is_mirrored())
-    add(view.residual_displacement());
-  else
-    add(view.solved().residual_displacement()); // avoids a copy, as this is called in every evaluation
-}
-
-} // namespace
-
-void CoupledContact::add_lower_depth(const Place& place, std::span<double> out) const
-{
-  add_depth_of(lower(), place, grid(), out);
-  for (const std::unique_ptr<Effect>& effect : effects_)
-    effect->add_depth(0, place, out);
-}
-
-void CoupledContact::add_upper_depth(const Place& place, std::span<double> out) const
-{
-  add_depth_of(upper(), place, grid(), out);
-  for (const std::unique_ptr<Effect>& effect : effects_)
-    effect->add_depth(1, place, out);
-}
-
-CoupledContact::Stress CoupledContact::lower_stress(const Place& place)
-{
-  return stress(0, sides_.front().body, place);
-}
-
-CoupledContact::Stress CoupledContact::upper_stress(const Place& place)
-{
-  return stress(1, sides_.back().body, place);
-}
-
 /// A load on a body, in the axes of the solved body.
-struct CoupledContact::TurnedLoad
+struct TurnedLoad
 {
   std::vector<double> pressure;
   std::array<std::vector<double>, 2> shear;
@@ -67,43 +29,151 @@ struct CoupledContact::TurnedLoad
 
 /// The stress in a mirror image is the mirrored stress of the solved body under the mirrored load.
 /// @throws InputError if the body is rigid
-CoupledContact::TurnedLoad CoupledContact::load_on_solved(std::size_t side, const Place& place) const
+TurnedLoad load_on_solved(const ContactParts& c, std::size_t side, const Place& place)
 {
-  const BodyView view = side == 0 ? lower() : upper();
+  const BodyView view = c.view(side);
   if (view.material().elastic.is_rigid())
     throw InputError("the body is rigid and has no stress; allowed: the stress of a body that deforms");
   TurnedLoad load;
   const SurfaceGrid& surface = view.grid().surface;
-  spread_traction(grid(), pressure_, place, surface, load.pressure);
-  if (interface_)
-    spread_shear(place, surface, side == 0 ? 1.0 : -1.0, load.shear);
+  spread_traction(c.grid(), c.state.pressure, place, surface, load.pressure);
+  if (c.interface)
+    spread_shear(c, place, surface, side == 0 ? 1.0 : -1.0, load.shear);
   return {view.turned(load.pressure, 1.0), {view.turned(load.shear[0], -1.0), view.turned(load.shear[1], 1.0)}};
 }
 
-/// @param solved  the body itself, or the body of which it is the twin
-CoupledContact::Stress CoupledContact::stress(std::size_t side, Body& solved, const Place& place) const
+/// Whether pressure acts within so many cells of the ends, and of the sides, of the contact grid.
+std::pair<bool, bool> presses_near_edges(const ContactParts& c, int cells)
 {
-  const BodyView view = side == 0 ? lower() : upper();
-  const TurnedLoad load = load_on_solved(side, place);
-  const std::size_t cells = view.grid().size();
-  Stress result{std::vector<double>(Deviator::size * cells), std::vector<double>(cells)};
-  solved.full_stress(load.all(), result.deviator, result.trace);
-  view.turn(result.deviator, result.trace);
-  add_thermal_stress(side, view, result);
+  const SurfaceGrid& g = c.grid();
+  const auto is_near = [cells](int cell, int last) { return std::min(cell, last - cell) < cells; };
+  bool ends = false, sides = false;
+  for (int j = 0; j < g.ny; ++j)
+    for (int i = 0; i < g.nx; ++i)
+      if (c.state.pressure[g.index(i, j)] > 0.0)
+      {
+        ends = ends || (!g.is_periodic_x() && is_near(i, g.nx - 1));
+        sides = sides || (!g.is_periodic_y() && is_near(j, g.ny - 1));
+      }
+  return {ends, sides};
+}
+
+} // namespace
+
+void add_depth_of(const ContactParts& c, std::size_t side, const Place& place, std::span<double> out)
+{
+  require_size("CoupledContact: the depth", out, c.grid().size());
+  const BodyView view = c.view(side);
+  const auto add = [&](std::span<const double> displacement)
+  { add_depth(view.grid().surface, displacement, view.texture(), place, c.grid(), out); };
+  if (view.is_mirrored())
+    add(view.residual_displacement());
+  else
+    add(view.solved().residual_displacement()); // avoids a copy, as this is called in every evaluation
+  for (const std::unique_ptr<Effect>& effect : c.effects)
+    effect->add_depth(side, place, out);
+}
+
+Outgrown outgrown(const ContactParts& c)
+{
+  const auto edges_of = [](const Side& side)
+  {
+    Edges edges = side.body.reached_edges();
+    edges.ends = edges.ends || side.leaves_grid;
+    return edges;
+  };
+  Outgrown result{edges_of(c.sides.front()), edges_of(c.sides.back())};
+  // The gap in two open cells tells where between cells a worn contact ends: contact::contact_area.
+  const bool has_worn = largest_depth_of_effects(c) > tolerance_of_gap(c);
+  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(c, has_worn ? 2 : 1);
   return result;
 }
 
-/// @param solved  as in `stress`
-std::vector<CoupledContact::CellState> CoupledContact::states(std::size_t side, Body& solved, const Place& place,
-                                                              std::span<const std::size_t> cells) const
+BodyView CoupledContact::lower() const
 {
-  const BodyView view = side == 0 ? lower() : upper();
+  return parts_->view(0);
+}
+
+BodyView CoupledContact::upper() const
+{
+  return parts_->view(1);
+}
+
+std::span<const double> CoupledContact::pressure() const
+{
+  return parts_->state.pressure;
+}
+
+std::span<const double> CoupledContact::gap() const
+{
+  return parts_->state.gap;
+}
+
+double CoupledContact::approach() const
+{
+  return parts_->state.approach;
+}
+
+const Interface* CoupledContact::interface() const
+{
+  return parts_->interface.get();
+}
+
+const SlidingInterface* CoupledContact::sliding() const
+{
+  return dynamic_cast<const SlidingInterface*>(interface());
+}
+
+const PartialSlip* CoupledContact::partial_slip() const
+{
+  return dynamic_cast<const PartialSlip*>(interface());
+}
+
+const Heating* CoupledContact::heating() const
+{
+  return parts_->heating.get();
+}
+
+std::span<const std::unique_ptr<Effect>> CoupledContact::effects() const
+{
+  return parts_->effects;
+}
+
+const SurfaceGrid& CoupledContact::grid() const
+{
+  return parts_->grid();
+}
+
+void CoupledContact::add_depth(std::size_t side, const Place& place, std::span<double> out) const
+{
+  add_depth_of(*parts_, side, place, out);
+}
+
+CoupledContact::Stress CoupledContact::stress(std::size_t side, const Place& place)
+{
+  ContactParts& c = *parts_;
+  const BodyView view = c.view(side);
+  const TurnedLoad load = load_on_solved(c, side, place);
+  const std::size_t cells = view.grid().size();
+  Stress result{std::vector<double>(Deviator::size * cells), std::vector<double>(cells)};
+  c.solved(side).full_stress(load.all(), result.deviator, result.trace);
+  view.turn(result.deviator, result.trace);
+  add_thermal_stress(c, side, result);
+  return result;
+}
+
+std::vector<CoupledContact::CellState> CoupledContact::cells(std::size_t side, const Place& place,
+                                                             std::span<const std::size_t> cells)
+{
+  ContactParts& c = *parts_;
+  const BodyView view = c.view(side);
   std::vector<std::size_t> of_solved;
   for (const std::size_t cell : cells)
     of_solved.push_back(view.solved_cell(cell));
   if (cells.empty())
     return {};
-  const std::vector<Body::CellStress> stress = solved.stress_at(of_solved, load_on_solved(side, place).all());
+  Body& solved = c.solved(side);
+  const std::vector<Body::CellStress> stress = solved.stress_at(of_solved, load_on_solved(c, side, place).all());
   const BodyState& state = solved.state();
   const std::size_t size = view.grid().size();
   std::vector<CellState> result;
@@ -112,55 +182,24 @@ std::vector<CoupledContact::CellState> CoupledContact::states(std::size_t side, 
                       view.turned(deviator_at(state.plastic_strain, size, of_solved[n])),
                       state.equivalent[of_solved[n]],
                       {}});
-  add_heat(side, view, cells, result);
+  add_heat(c, side, cells, result);
   return result;
-}
-
-Outgrown CoupledContact::outgrown() const
-{
-  const auto edges_of = [](const Side& side)
-  {
-    Edges edges = side.body.reached_edges();
-    edges.ends = edges.ends || side.leaves_grid;
-    return edges;
-  };
-  Outgrown result{edges_of(sides_.front()), edges_of(sides_.back())};
-  // The gap in two open cells tells where between cells a worn contact ends: contact::contact_area.
-  const bool has_worn = largest_depth_of_effects() > tolerance_of_gap();
-  std::tie(result.contact_ends, result.contact_sides) = presses_near_edges(has_worn ? 2 : 1);
-  return result;
-}
-
-/// Whether pressure acts within so many cells of the ends, and of the sides, of the contact grid.
-std::pair<bool, bool> CoupledContact::presses_near_edges(int cells) const
-{
-  const SurfaceGrid& g = grid();
-  const auto is_near = [cells](int cell, int last) { return std::min(cell, last - cell) < cells; };
-  bool ends = false, sides = false;
-  for (int j = 0; j < g.ny; ++j)
-    for (int i = 0; i < g.nx; ++i)
-      if (pressure_[g.index(i, j)] > 0.0)
-      {
-        ends = ends || (!g.is_periodic_x() && is_near(i, g.nx - 1));
-        sides = sides || (!g.is_periodic_y() && is_near(j, g.ny - 1));
-      }
-  return {ends, sides};
 }
 
 bool CoupledContact::reaches_edge() const
 {
-  const auto [ends, sides] = presses_near_edges(1);
+  const auto [ends, sides] = presses_near_edges(*parts_, 1);
   return ends || sides;
 }
 
 double CoupledContact::load() const
 {
-  return sum(pressure_) * grid().cell_area();
+  return sum(parts_->state.pressure) * grid().cell_area();
 }
 
 double CoupledContact::stiffness() const
 {
-  return contact::stiffness(compliance_, pressure_);
+  return contact::stiffness(parts_->compliance, parts_->state.pressure);
 }
 
 } // namespace brinell::elastoplastic

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/partial_slip.hpp"
 
-#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "contact/carried_field.hpp"
 #include "drive_axis.hpp"
 #include "foundation/sharing.hpp"

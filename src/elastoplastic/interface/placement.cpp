@@ -108,12 +108,4 @@ bool spread_volume(const SurfaceGrid& contact, std::span<const double> depth, do
   return all;
 }
 
-void embed_field(const SurfaceGrid& small, std::span<const double> from, const SurfaceGrid& large, std::span<double> to)
-{
-  const int columns = (large.nx - small.nx) / 2;
-  const int rows = (large.ny - small.ny) / 2;
-  for (int j = 0; j < small.ny; ++j)
-    std::copy_n(from.data() + small.index(0, j), small.nx, to.data() + large.index(columns, j + rows));
-}
-
 } // namespace brinell::elastoplastic

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/sliding.hpp"
 
-#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/wear.hpp"
 
 #include "brinell/elastoplastic/effects.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/sharing.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/fretting.hpp"
 
-#include "brinell/elastoplastic/placement.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
 #include "run_state.hpp"
 #include "simulation/plan/heat.hpp"
@@ -151,7 +151,7 @@ private:
       if (smaller.nx > grid.nx || smaller.ny > grid.ny || smaller.size() != path_.size())
         throw InputError("the stored state has slip on a grid that does not fit; run without --resume");
       std::vector<double> before(grid.size());
-      elastoplastic::embed_field(smaller, path_, grid, before);
+      embed_field(smaller, path_, grid, before);
       double largest = 0.0;
       for (std::size_t i = 0; i < before.size(); ++i)
         largest = std::max(largest, path[i] - before[i]);

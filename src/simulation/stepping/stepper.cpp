@@ -92,16 +92,14 @@ void Lattice::grow(int contact, int lower, int upper)
 Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, const elastoplastic::Settings& solver,
                             const Centre& start)
 {
-  return {lower.material,
-          upper.material,
-          [&lower, &upper](double x, double y) { return height(lower.shape, x, y) + height(upper.shape, x, y); },
-          solver,
-          start,
-          lower.texture,
-          upper.texture,
-          {},
-          {},
-          {}};
+  return {.lower = lower.material,
+          .upper = upper.material,
+          .distance = [&lower, &upper](double x, double y)
+          { return height(lower.shape, x, y) + height(upper.shape, x, y); },
+          .solver = solver,
+          .start = start,
+          .lower_texture = lower.texture,
+          .upper_texture = upper.texture};
 }
 
 namespace
@@ -254,17 +252,18 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
   {
     const Frame frame = lattice_.frame(target.centre);
     place(frame);
-    elastoplastic::Strategy in_time = strategy;
-    in_time.duration = target.time - time_;
-    in_time.slid = target.slid - slid_;
-    in_time.is_put_down = target.is_put_down;
-    in_time.returns = target.returns;
-    in_time.share_at_rest = target.share_at_rest;
+    elastoplastic::Motion motion{.along = target.along,
+                                 .slides = target.slides,
+                                 .slid = target.slid - slid_,
+                                 .duration = target.time - time_,
+                                 .is_put_down = target.is_put_down,
+                                 .returns = target.returns,
+                                 .share_at_rest = target.share_at_rest};
     if (target.passing)
-      in_time.moved = {(*target.passing)[0] * in_time.duration, (*target.passing)[1] * in_time.duration};
-    else if (!target.is_put_down)
-      in_time.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
-    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, in_time, target.along);
+      motion.moved = {(*target.passing)[0] * motion.duration, (*target.passing)[1] * motion.duration};
+    else if (!motion.is_put_down)
+      motion.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
+    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, strategy, motion);
     evaluations_ += report.evaluations;
     if (report.converged)
     {
@@ -290,8 +289,12 @@ bool Stepper::attempt(const Target& target)
   const int patience = pair_->interface() != nullptr ? 4 : 1;
   for (const double share : {0.6, 1.0})
   {
-    const IncrementReport report = solved(target, {s.integration, patience * s.max_evaluations, s.anderson_depth, share,
-                                                   false, true, target.slides, setup_.watch.wants_stop});
+    const IncrementReport report = solved(target, {.integration = s.integration,
+                                                   .max_evaluations = patience * s.max_evaluations,
+                                                   .anderson_depth = s.anderson_depth,
+                                                   .stiffness_share = share,
+                                                   .stay_within_grids = true,
+                                                   .wants_stop = setup_.watch.wants_stop});
     if (report.converged)
       return true;
   }
@@ -306,11 +309,14 @@ void Stepper::descend(const Target& target)
   const bool has_energy = pair_->has_energy(target.drive.kind);
   for (const double share : {1.0, 2.0, 4.0})
   {
-    elastoplastic::Strategy strategy{
-        Integration::backward_euler, patience * s.max_evaluations, 0, share, has_energy, true, target.slides,
-        setup_.watch.wants_stop};
-    strategy.keeps_shear_limit = true;
-    report = solved(target, strategy);
+    report = solved(target, {.integration = Integration::backward_euler,
+                             .max_evaluations = patience * s.max_evaluations,
+                             .anderson_depth = 0,
+                             .stiffness_share = share,
+                             .watch_energy = has_energy,
+                             .stay_within_grids = true,
+                             .wants_stop = setup_.watch.wants_stop,
+                             .keeps_shear_limit = true});
     if (report.converged)
       return;
     if (has_energy && !report.energy_rose)

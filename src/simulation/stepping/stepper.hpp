@@ -23,15 +23,15 @@ struct Target
   Centre centre;
   contact::Drive drive;
   bool slides = true;               ///< whether the surfaces slide on each other; if not there is no friction
-  contact::TangentialDrive along{}; ///< see CoupledContact::advance
+  contact::TangentialDrive along{}; ///< see Motion::along
   double time = 0.0;                ///< since the start [s]; without a change of time heat does not change
   double slid = 0.0;                ///< accumulated sliding distance of the undeformed surfaces since the start [m]
-  bool is_put_down = false;         ///< see Strategy::is_put_down
-  bool returns = false;             ///< see Strategy::returns
+  bool is_put_down = false;         ///< see Motion::is_put_down
+  bool returns = false;             ///< see Motion::returns
   /// Velocities along x with which a steady flux passes the lower and the upper body although the contact does not move over
   /// them: those of the motion before which they are pressed together and after which they part [m/s].
   std::optional<std::array<double, 2>> passing{};
-  std::optional<double> share_at_rest{}; ///< see Strategy::share_at_rest
+  std::optional<double> share_at_rest{}; ///< see Motion::share_at_rest
 };
 
 /// The contact grid at one moment of the motion.

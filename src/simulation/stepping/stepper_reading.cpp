@@ -40,8 +40,8 @@ const Stepper::Depths& Stepper::depths(const Centre& centre)
   const Frame frame = lattice_.frame(centre);
   std::fill(depths_.lower.begin(), depths_.lower.end(), 0.0);
   std::fill(depths_.upper.begin(), depths_.upper.end(), 0.0);
-  pair_->add_lower_depth(frame.placement.lower, depths_.lower);
-  pair_->add_upper_depth(frame.placement.upper, depths_.upper);
+  pair_->add_depth(0, frame.placement.lower, depths_.lower);
+  pair_->add_depth(1, frame.placement.upper, depths_.upper);
   if (const elastoplastic::Heating* heating = pair_->heating())
   {
     heating->add_depth(0, plan_.lower.surface, frame.placement.lower, depths_.lower);
@@ -164,17 +164,17 @@ StepFields Stepper::fields(const Centre& centre) const
   std::function<std::vector<double>()> lower_temperature, upper_temperature;
   if (pair_->heating() != nullptr)
   {
-    lower_temperature = [this] { return pair_->lower_temperature(); };
-    upper_temperature = [this] { return pair_->upper_temperature(); };
+    lower_temperature = [this] { return pair_->temperature(0); };
+    upper_temperature = [this] { return pair_->temperature(1); };
   }
   const auto& [lower_place, upper_place] = frame.placement;
   using Cells = std::span<const std::size_t>;
   fields.lower = fields_within(
-      pair_->lower(), [this, place = lower_place] { return pair_->lower_stress(place); }, lower_temperature,
-      [this, place = lower_place](Cells cells) { return pair_->lower_cells(place, cells); });
+      pair_->lower(), [this, place = lower_place] { return pair_->stress(0, place); }, lower_temperature,
+      [this, place = lower_place](Cells cells) { return pair_->cells(0, place, cells); });
   fields.upper = fields_within(
-      pair_->upper(), [this, place = upper_place] { return pair_->upper_stress(place); }, upper_temperature,
-      [this, place = upper_place](Cells cells) { return pair_->upper_cells(place, cells); });
+      pair_->upper(), [this, place = upper_place] { return pair_->stress(1, place); }, upper_temperature,
+      [this, place = upper_place](Cells cells) { return pair_->cells(1, place, cells); });
   return fields;
 }
 

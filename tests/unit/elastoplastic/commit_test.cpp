@@ -53,11 +53,7 @@ IncrementReport advance(CoupledContact& contact, double pressed)
     for (int i = 0; i < g.nx; ++i)
       distance.push_back((g.x(i) * g.x(i) + g.y(j) * g.y(j)) / (2.0 * radius));
   const contact::Drive drive{contact::Drive::Kind::approach, pressed};
-  Strategy strategy;
-  strategy.duration = 1e-5;
-  strategy.slid = 1e-6;
-  strategy.moved = {0.0, -1e-6};
-  return contact.advance(distance, drive, {}, strategy);
+  return contact.advance(distance, drive, {}, {}, {.slid = 1e-6, .duration = 1e-5, .moved = {0.0, -1e-6}});
 }
 
 Archive::Fields state_of(CoupledContact& contact)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One increment of two elastic-plastic bodies: the conditions its result must meet.
 #include "elastoplastic/increment/stop_rules.hpp"
+#include "elastoplastic/increment/window_error.hpp"
 #include "sphere_press.hpp"
 #include "state_comparison.hpp"
 
@@ -185,8 +186,8 @@ Seen seen(SpherePress& press)
          c.load(),
          c.elastic_energy(),
          c.reaches_edge()};
-  c.add_lower_depth({}, s.lower_depth);
-  c.add_upper_depth({}, s.upper_depth);
+  c.add_depth(0, {}, s.lower_depth);
+  c.add_depth(1, {}, s.upper_depth);
   Archive archive;
   c.exchange(archive);
   s.stored = std::move(archive).fields();
@@ -374,7 +375,7 @@ TEST(IncrementDoorTest, RefusesGridsThatDoNotMatchAndAContactBeyondTheBody)
                            static_cast<void>(contact.advance(wrong, {}, Placement{}, Strategy{}));
                          });
   std::vector<double> depth(24);
-  test::expect_refused("CoupledContact: the depth", 24, 25, [&] { contact.add_lower_depth({}, depth); });
+  test::expect_refused("CoupledContact: the depth", 24, 25, [&] { contact.add_depth(0, {}, depth); });
   test::expect_refused("CoupledContact: the texture", 24, 25,
                        [&] {
                          CoupledContact(g, v, v, m, m, Scales{1.0, 1.0}, Settings{}, Twin::none, {depth, {}});

@@ -43,7 +43,7 @@ TEST(InterpolationTest, CubicsAreExact)
   for (const double fraction : {0.0, 0.25, 0.9})
   {
     std::fill(depth.begin(), depth.end(), 0.0);
-    contact.add_lower_depth({column, fraction}, depth);
+    contact.add_depth(0, {column, fraction}, depth);
     for (int j = 0; j < contact_grid.ny; ++j)
       for (int i = 0; i < contact_grid.nx; ++i)
         EXPECT_NEAR(depth[contact_grid.index(i, j)], cubic(i + column + fraction, j), 1e-12);
@@ -66,7 +66,7 @@ TEST(InterpolationTest, PressureIsCarriedBackByTheTranspose)
     std::vector<double> on_body;
     ASSERT_TRUE(spread_traction(contact.grid(), contact.pressure(), place, contact.lower().grid().surface, on_body));
     std::vector<double> depth(contact_grid.size());
-    contact.add_lower_depth(place, depth);
+    contact.add_depth(0, place, depth);
     const double on_contact = std::inner_product(depth.begin(), depth.end(), contact.pressure().begin(), 0.0);
     const double below = std::inner_product(on_body.begin(), on_body.end(), contact.lower().texture().begin(), 0.0);
     EXPECT_NEAR(below, on_contact, 1e-12 * std::abs(on_contact));

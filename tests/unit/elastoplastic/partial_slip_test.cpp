@@ -137,12 +137,10 @@ TEST(PartialSlipTest, FarShiftsAreFullSliding)
     SpherePress press(options);
     options.sticks = false;
     SpherePress sliding(options);
-    Strategy without = accelerated(options);
-    without.slides = false;
     // The same increments; friction of unlike bodies acts while they are pressed, too, so that they begin together here.
     const double first = 1e-3;
     ASSERT_TRUE(press.press(first, accelerated(options)).converged);
-    ASSERT_TRUE(sliding.press(first, without).converged);
+    ASSERT_TRUE(sliding.press(first, accelerated(options), 0, {}, false).converged);
     double way = 0.0;
     for (const double depth : {2.0, 4.0, 6.0})
     {

@@ -182,9 +182,7 @@ TEST(SlidingTest, FailedIncrementLeavesNothingBehind)
   EXPECT_EQ(shear_of(press), shear);
   EXPECT_EQ(press.contact().sliding()->work(), work);
   EXPECT_EQ(press.contact().lower().state().residual_displacement_x, state.residual_displacement_x);
-  Strategy at_rest;
-  at_rest.slides = false;
-  ASSERT_TRUE(press.press(4.0, at_rest).converged);
+  ASSERT_TRUE(press.press(4.0, Strategy{}, 0, {}, false).converged);
   EXPECT_EQ(press.contact().sliding()->force(), 0.0);
 }
 
@@ -251,9 +249,7 @@ TEST(SlidingTest, WorkOfTheShearIsStoredOrDissipated)
   // the surfaces along z, here from an operator of its own, and that of the shear; exactly, as both are linear. Without change
   // after that nothing more is taken up.
   SpherePress press(elastic_pair(0.4, 3.0));
-  Strategy at_rest;
-  at_rest.slides = false;
-  ASSERT_TRUE(press.press(5.0, at_rest).converged);
+  ASSERT_TRUE(press.press(5.0, Strategy{}, 0, {}, false).converged);
   const halfspace::TractionCompliance compliance(press.contact().grid(), press.contact().lower().material().elastic,
                                                  press.contact().upper().material().elastic);
   const auto depth = [&]

@@ -82,7 +82,7 @@ TEST(SofteningTest, TheStressKeepsToTheYieldStressOfEachCell)
   soften(press, factor);
   for (const double interference : {2.0, 5.0})
     ASSERT_TRUE(press.press(interference).converged);
-  const CoupledContact::Stress stress = press.contact().lower_stress({});
+  const CoupledContact::Stress stress = press.contact().stress(0, {});
   const BodyState state = press.contact().lower().state();
   double most = 0.0;
   for (std::size_t cell = 0; cell < factor.size(); ++cell)

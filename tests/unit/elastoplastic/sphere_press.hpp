@@ -65,11 +65,12 @@ public:
     strategy.anderson_depth = options_.settings.anderson_depth;
     return press(interference, strategy, offset);
   }
-  /// @param along  of spheres that may stick, see CoupledContact::advance
+  /// @param along  of spheres that may stick, see Motion
   [[nodiscard]] IncrementReport press(double interference, const Strategy& strategy, int offset = 0,
-                                      const contact::TangentialDrive& along = {})
+                                      const contact::TangentialDrive& along = {}, bool slides = true)
   {
-    return contact_.advance(rigid_gap(interference), {}, Placement{{offset}, {offset}}, strategy, along);
+    return contact_.advance(rigid_gap(interference), {}, Placement{{offset}, {offset}}, strategy,
+                            {.along = along, .slides = slides});
   }
 
   /// Normal force [N].

@@ -53,7 +53,8 @@ public:
   IncrementReport advance(double slid, double shift = 0.0)
   {
     const contact::TangentialDrive along{{contact::TangentialDrive::Kind::shift, shift}, {}, 0.0};
-    return contact_.advance(ball_, {contact::Drive::Kind::load, load}, {}, {.slides = slid > 0.0, .slid = slid}, along);
+    return contact_.advance(ball_, {contact::Drive::Kind::load, load}, {}, {},
+                            {.along = along, .slides = slid > 0.0, .slid = slid});
   }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] const CoupledContact& contact() const { return contact_; }

@@ -46,9 +46,9 @@ void expect_as_the_fields(const std::vector<CoupledContact::CellState>& states, 
 void expect_both(CoupledContact& contact, const Placement& placement)
 {
   const std::vector<std::size_t> cells = cells_of(contact.lower().grid());
-  const auto lower = contact.lower_cells(placement.lower, cells), upper = contact.upper_cells(placement.upper, cells);
-  expect_as_the_fields(lower, contact.lower_stress(placement.lower), contact.lower(), cells);
-  expect_as_the_fields(upper, contact.upper_stress(placement.upper), contact.upper(), cells);
+  const auto lower = contact.cells(0, placement.lower, cells), upper = contact.cells(1, placement.upper, cells);
+  expect_as_the_fields(lower, contact.stress(0, placement.lower), contact.lower(), cells);
+  expect_as_the_fields(upper, contact.stress(1, placement.upper), contact.upper(), cells);
 }
 
 TEST(WatchedCells, AreThoseOfTheFieldsFromTheFirstIncrementOn)
@@ -75,10 +75,10 @@ TEST(WatchedCells, NeedNoStressOfTheWholeBodyOnceAskedFor)
   SpherePress press;
   ASSERT_TRUE(press.press(4.0).converged);
   const std::vector<std::size_t> cells = cells_of(press.contact().lower().grid());
-  (void)press.contact().lower_cells({}, cells);
+  (void)press.contact().cells(0, {}, cells);
   ASSERT_TRUE(press.press(6.0).converged);
-  const CoupledContact::Stress fields = press.contact().lower_stress({});
-  expect_as_the_fields(press.contact().lower_cells({}, cells), fields, press.contact().lower(), cells);
+  const CoupledContact::Stress fields = press.contact().stress(0, {});
+  expect_as_the_fields(press.contact().cells(0, {}, cells), fields, press.contact().lower(), cells);
 }
 
 TEST(WatchedCells, SurviveAnIncrementThatFails)
@@ -86,13 +86,13 @@ TEST(WatchedCells, SurviveAnIncrementThatFails)
   SpherePress press;
   ASSERT_TRUE(press.press(4.0).converged);
   const std::vector<std::size_t> cells = cells_of(press.contact().lower().grid());
-  (void)press.contact().lower_cells({}, cells);
+  (void)press.contact().cells(0, {}, cells);
   ASSERT_TRUE(press.press(5.0).converged);
   Strategy hopeless;
   hopeless.max_evaluations = 1;
   ASSERT_FALSE(press.press(6.0, hopeless).converged);
-  expect_as_the_fields(press.contact().lower_cells({}, cells), press.contact().lower_stress({}),
-                       press.contact().lower(), cells);
+  expect_as_the_fields(press.contact().cells(0, {}, cells), press.contact().stress(0, {}), press.contact().lower(),
+                       cells);
 }
 
 TEST(WatchedCells, OfATwinAreThoseOfItsMirrorImage)
