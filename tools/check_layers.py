@@ -48,7 +48,7 @@ ROOMS = {
 # Rooms of public headers that have no source.
 ROOM_OF_HEADER = {
     "halfspace": {"surface_load": "transform"},
-    "elastoplastic": {"effects": "interface", "interface": "interface", "settings": "body", "window_error": "body"},
+    "elastoplastic": {"effects": "interface", "interface": "interface", "settings": "body", "strategy": "increment"},
     "simulation": {"columns": "plan", "forecast": "plan", "scenario": "plan", "scenarios": "motion", "run": "motion"},
 }
 

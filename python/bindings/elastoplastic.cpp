@@ -200,7 +200,7 @@ void bind_body_state(nb::class_<Pair>& pair)
                           [](const BodyView& b)
                           {
                             const std::vector<double> strain =
-                                or_zeros(b.deviators(&BodyState::plastic_strain), b, Deviator::size);
+                                or_zeros(b.field(&BodyState::plastic_strain), b, Deviator::size);
                             return array(six_fields(strain), tensor_shape(b.grid()));
                           });
           },
@@ -210,7 +210,7 @@ void bind_body_state(nb::class_<Pair>& pair)
           [](Pair& p, bool upper)
           {
             return p.read(upper, [](const BodyView& b)
-                          { return array(or_zeros(b.scalars(&BodyState::equivalent), b, 1), shape(b.grid())); });
+                          { return array(or_zeros(b.field(&BodyState::equivalent), b, 1), shape(b.grid())); });
           },
           "upper"_a)
       .def(

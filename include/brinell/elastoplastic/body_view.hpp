@@ -48,20 +48,16 @@ public:
 
   /// A copy of the history.
   [[nodiscard]] BodyState state() const;
-  /// A copy of one deviator field of the history, such as &BodyState::plastic_strain.
-  [[nodiscard]] std::vector<double> deviators(std::vector<double> BodyState::*fields) const;
-  /// A copy of one scalar field of the history, such as &BodyState::equivalent.
-  [[nodiscard]] std::vector<double> scalars(std::vector<double> BodyState::*field) const;
-  /// Residual displacement of the surface in the present trial [m].
-  [[nodiscard]] std::vector<double> residual_displacement() const;
-  /// Residual displacement along x [m]; empty unless the surface bears shear.
-  [[nodiscard]] std::vector<double> residual_displacement_x() const;
-  /// Residual displacement along y [m]; empty unless all displacements are computed.
-  [[nodiscard]] std::vector<double> residual_displacement_y() const;
+  /// A copy of one field of the history, such as &BodyState::plastic_strain.
+  [[nodiscard]] std::vector<double> field(std::vector<double> BodyState::*member) const;
+  /// Residual displacement of the surface in the present trial along z (0), x (1) or y (2): Body::residual_displacement.
+  [[nodiscard]] std::vector<double> residual_displacement(std::size_t axis = 0) const;
   /// See Body::shear_strength.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
 
 private:
+  void turn_field(InMirror in_mirror, std::vector<double>& field) const;
+
   const Body* solved_;
   Twin twin_;
   const std::vector<double>* texture_;

@@ -22,19 +22,32 @@ inline void embed_field(const SurfaceGrid& small, std::span<const double> from, 
     std::copy_n(from.data() + small.index(0, j), small.nx, to.data() + large.index(columns, j + rows));
 }
 
-/// Takes over a state with fields on the surface from a smaller grid: all but what is derived from the rest.
-template <typename State>
-void embed_state(const SurfaceGrid& small, const State& from, const SurfaceGrid& large, State& to)
+/// Copies fields of a body into the centre of a larger one, from the surface downwards. Values outside stay; they are 0 if there
+/// were none before.
+inline void embed_field(const VolumeGrid& small, std::span<const double> from, const VolumeGrid& large,
+                        std::vector<double>& to)
+{
+  const std::size_t fields = from.size() / small.size();
+  to.resize(fields * large.size());
+  for (std::size_t field = 0; field < fields; ++field)
+    for (int k = 0; k < small.nz; ++k)
+      embed_field(small.surface, from.subspan(field * small.size() + small.index(0, 0, k)), large.surface,
+                  std::span(to).subspan(field * large.size() + large.index(0, 0, k)));
+}
+
+/// Takes over a state from a smaller grid, all but what is derived from the rest.
+template <typename State, typename Grid>
+void embed_state(const Grid& small, const State& from, const Grid& large, State& to)
 {
   for_parts(
-      [&](std::string_view /*name*/, const Traits& traits, const auto& before, auto& now)
+      [&]<typename Part>(std::string_view /*name*/, const Traits& traits, const Part& before, Part& now)
       {
         if (traits.is_derived)
           return;
-        if constexpr (requires { before.size(); })
-          embed_field(small, before, large, now);
-        else
+        if constexpr (std::is_arithmetic_v<Part>)
           now = before;
+        else
+          embed_field(small, before, large, now);
       },
       from, to);
 }

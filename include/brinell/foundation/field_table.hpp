@@ -118,16 +118,42 @@ void for_parts(const Use& use, State& state, States&... others)
   std::apply([&](const auto&... item) { (line(item), ...); }, Kind::table());
 }
 
+/// Calls use(traits, field of each state) for all fields, leaving out numbers.
+template <typename Use, typename State, typename... States>
+void for_fields(const Use& use, State& state, States&... others)
+{
+  for_parts(
+      [&](std::string_view /*name*/, const Traits& traits, auto& part, auto&... rest)
+      {
+        if constexpr (requires { part.size(); })
+          use(traits, part, rest...);
+      },
+      state, others...);
+}
+
+/// Properties of a member of a state.
+template <typename State, typename Member>
+[[nodiscard]] Traits traits_of(Member State::*member)
+{
+  Traits found;
+  const auto look_at = [&](const auto& line)
+  {
+    if (detail::is_equal(line, listed(member, {})) > 0)
+      found = line.traits;
+  };
+  std::apply([&](const auto&... line) { (look_at(line), ...); }, State::table());
+  return found;
+}
+
 /// Gives all fields of a state, but those whose length is part of it, so many zeros.
 template <typename State>
 void assign_fields(State& state, std::size_t size)
 {
-  for_parts(
-      [&](std::string_view /*name*/, const Traits& traits, auto& part)
+  for_fields(
+      [&](const Traits& traits, std::vector<double>& field)
       {
-        if constexpr (requires { part.size(); })
-          if (!traits.is_sized)
-            part.assign(size, 0.0);
+        if (!traits.is_sized)
+          field.assign(size, 0.0);
       },
       state);
 }

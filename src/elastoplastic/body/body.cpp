@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/body.hpp"
 
 #include "body_parts.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
 #include "foundation/require_size.hpp"
 #include "foundation/sharing.hpp"
@@ -20,6 +21,21 @@ namespace
 /// Cells above this share of the yield stress are active from the start. This is only a guess: every evaluation adds further
 /// cells that yield.
 constexpr double active_share = 0.8;
+
+/// Allocates the trial on first use: a body that is rigid or stays elastic never needs one.
+void prepare_trial(BodyParts& b)
+{
+  if (!b.trial.stress.empty())
+    return;
+  b.trial.stress = b.state.stress;
+  b.trial.active = ActiveCells(b.grid.size(), b.yield.material.kinematic.size());
+}
+
+/// Factor on the yield stress far from all heat, at the bulk temperature.
+double softening_far_away(const constitutive::Material& material)
+{
+  return material.softening ? constitutive::softening_factor(*material.softening, material.temperature) : 1.0;
+}
 
 /// Drops what belongs to the trial alone.
 void return_to_state(BodyParts& b)
@@ -67,6 +83,23 @@ void Body::exchange(Archive& archive)
     return;
   return_to_state(b);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
+  recover_guess(b);
+}
+
+void Body::continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load)
+{
+  BodyParts& b = *parts_;
+  if (!b.is_plastic())
+    return;
+  b.state.softening.assign(history.softening.empty() ? 0 : b.grid.size(), softening_far_away(b.yield.material));
+  embed_state(from, history, b.grid, b.state);
+  b.zone = PlasticZone(b.grid, b.state.equivalent);
+  b.yield.softening = b.state.softening;
+  prepare_trial(b);
+  b.evaluation.compute_anew(b.state, load, b.trial.stress);
+  b.state.stress = b.trial.stress;
+  b.evaluation.store(b.state);
+  b.state.locked_in_energy = locked_in_energy(b, load, b.zone);
   recover_guess(b);
 }
 

@@ -22,14 +22,6 @@ Deviator BodyParts::centre(std::size_t cell) const
   return sum;
 }
 
-void prepare_trial(BodyParts& b)
-{
-  if (!b.trial.stress.empty())
-    return;
-  b.trial.stress = b.state.stress;
-  b.trial.active = ActiveCells(b.grid.size(), b.yield.material.kinematic.size());
-}
-
 const VolumeGrid& Body::grid() const
 {
   return parts_->grid;

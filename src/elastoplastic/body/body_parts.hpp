@@ -80,8 +80,6 @@ struct BodyParts
   }
 };
 
-/// Allocates the trial on first use: a body that is rigid or stays elastic never needs one.
-void prepare_trial(BodyParts& body);
 /// Plastic flow in all active cells.
 void flow(BodyParts& body, Integration integration);
 /// Computes the images g(q) of the trials from the stress of the evaluation.

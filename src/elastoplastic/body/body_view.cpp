@@ -35,21 +35,25 @@ void reverse_deviators(std::vector<double>& fields, int nx, std::size_t cells)
 BodyState BodyView::state() const
 {
   BodyState state = solved_->state();
-  if (!is_mirrored())
-    return state;
-  for_parts(
-      [&](std::string_view /*name*/, const Traits& traits, auto& part)
-      {
-        if constexpr (requires { part.size(); })
-        {
-          if (traits.in_mirror == InMirror::deviator)
-            reverse_deviators(part, grid().surface.nx, grid().size());
-          else
-            reverse_rows(part, grid().surface.nx, traits.in_mirror == InMirror::odd ? -1.0 : 1.0);
-        }
-      },
-      state);
+  for_fields([&](const Traits& traits, std::vector<double>& field) { turn_field(traits.in_mirror, field); }, state);
   return state;
+}
+
+std::vector<double> BodyView::field(std::vector<double> BodyState::*member) const
+{
+  std::vector<double> copy = solved_->state().*member;
+  turn_field(traits_of(member).in_mirror, copy);
+  return copy;
+}
+
+void BodyView::turn_field(InMirror in_mirror, std::vector<double>& field) const
+{
+  if (!is_mirrored())
+    return;
+  if (in_mirror == InMirror::deviator)
+    reverse_deviators(field, grid().surface.nx, grid().size());
+  else
+    reverse_rows(field, grid().surface.nx, in_mirror == InMirror::odd ? -1.0 : 1.0);
 }
 
 void BodyView::turn(std::vector<double>& deviators, std::vector<double>& scalars) const
@@ -77,22 +81,6 @@ Deviator BodyView::turned(const Deviator& of_solved) const
   return result;
 }
 
-std::vector<double> BodyView::deviators(std::vector<double> BodyState::*fields) const
-{
-  std::vector<double> copy = solved_->state().*fields;
-  if (is_mirrored())
-    reverse_deviators(copy, grid().surface.nx, grid().size());
-  return copy;
-}
-
-std::vector<double> BodyView::scalars(std::vector<double> BodyState::*field) const
-{
-  std::vector<double> copy = solved_->state().*field;
-  if (is_mirrored())
-    reverse_rows(copy, grid().surface.nx, 1.0);
-  return copy;
-}
-
 std::vector<double> BodyView::turned(std::span<const double> surface, double parity) const
 {
   std::vector<double> copy(surface.begin(), surface.end());
@@ -101,14 +89,9 @@ std::vector<double> BodyView::turned(std::span<const double> surface, double par
   return copy;
 }
 
-std::vector<double> BodyView::residual_displacement_x() const
+std::vector<double> BodyView::residual_displacement(std::size_t axis) const
 {
-  return turned(solved_->residual_displacement(1), -1.0);
-}
-
-std::vector<double> BodyView::residual_displacement_y() const
-{
-  return turned(solved_->residual_displacement(2), 1.0);
+  return turned(solved_->residual_displacement(axis), axis == 1 ? -1.0 : 1.0);
 }
 
 std::vector<double> BodyView::shear_strength(double along_x, double along_y) const
@@ -117,11 +100,6 @@ std::vector<double> BodyView::shear_strength(double along_x, double along_y) con
   if (is_mirrored())
     reverse_rows(strength, grid().surface.nx, 1.0);
   return strength;
-}
-
-std::vector<double> BodyView::residual_displacement() const
-{
-  return turned(solved_->residual_displacement(), 1.0);
 }
 
 } // namespace brinell::elastoplastic

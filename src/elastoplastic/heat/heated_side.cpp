@@ -332,12 +332,11 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
       move((*displacement)[part], 0.0);
   state_.along = {}; // the points that are new under the grid are known from the field only
   move(remaining_, material_.temperature);
-  for_parts(
-      [&](std::string_view /*name*/, const Traits& traits, auto& part)
+  for_fields(
+      [&](const Traits& traits, std::vector<double>& field)
       {
-        if constexpr (requires { part.size(); })
-          if (!traits.is_derived)
-            move(part, &part == &state_.temperature ? material_.temperature : 0.0);
+        if (!traits.is_derived)
+          move(field, &field == &state_.temperature ? material_.temperature : 0.0);
       },
       state_);
   imposed_.clear();

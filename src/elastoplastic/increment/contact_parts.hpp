@@ -34,7 +34,7 @@ struct Task
   const Strategy& strategy;
 };
 
-struct ContactParts
+struct ContactParts : Between
 {
   halfspace::SurfaceCompliance compliance;
   Textures textures;
@@ -44,13 +44,7 @@ struct ContactParts
   Symmetry symmetry;
   contact::ElasticContact contact{compliance};
   std::vector<Side> sides{}; ///< the lower body, and the upper one unless it is a twin
-  std::unique_ptr<Interface> interface {
-  };                                  ///< none without friction
-  std::unique_ptr<Heating> heating{}; ///< none without heat
-  std::vector<std::unique_ptr<Effect>> effects{};
-  SurfaceState state{};
   WindowError window_error{};
-  Placement placement{};
   // Of the current increment
   std::vector<double> compliance_of_effects{}; ///< change of the gap per pressure by all effects [m/Pa]; empty: none
   double slid = 0.0;                           ///< Motion::slid, 0 if nothing slides [m]

@@ -42,22 +42,21 @@ void limit_to_strength(const SurfaceGrid& body, const std::vector<double>& stren
 template <typename Use>
 void with_bodies(const ContactParts& c, const Placement& placement, const Use& use)
 {
-  const auto field = [&](std::vector<double> (BodyView::*of)() const, std::size_t axis)
+  const auto along = [&](std::size_t axis)
   {
     std::array<std::vector<double>, 2> both{std::vector<double>(c.grid().size()), std::vector<double>(c.grid().size())};
-    const auto add = [&](const BodyView& body, const Place& place, std::vector<double>& out)
+    for (std::size_t side = 0; side < 2; ++side)
     {
-      if (const std::vector<double> residual = (body.*of)(); !residual.empty())
-        add_depth(body.grid().surface, residual, {}, place, c.grid(), out);
-    };
-    add(c.view(0), placement.lower, both[0]);
-    add(c.view(1), placement.upper, both[1]);
-    for (std::size_t side = 0; side < 2 && c.heating; ++side)
-      c.heating->add_along(side, axis, both[side]);
+      const Place& place = side == 0 ? placement.lower : placement.upper;
+      const BodyView body = c.view(side);
+      if (const std::vector<double> residual = body.residual_displacement(1 + axis); !residual.empty())
+        add_depth(body.grid().surface, residual, {}, place, c.grid(), both[side]);
+      if (c.heating)
+        c.heating->add_along(side, axis, both[side]);
+    }
     return both;
   };
-  const auto x = field(&BodyView::residual_displacement_x, 0);
-  const auto y = field(&BodyView::residual_displacement_y, 1);
+  const auto x = along(0), y = along(1);
   const std::array<double, 2> moved = columns_moved(c, placement);
   use(Interface::Bodies{c.state.pressure, x[0], x[1], y[0], y[1], moved[0], moved[1], c.state.gap});
 }

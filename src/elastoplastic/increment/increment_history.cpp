@@ -53,13 +53,7 @@ void CoupledContact::exchange(Archive& archive)
 History CoupledContact::take_history() &&
 {
   ContactParts& c = *parts_;
-  History history{.contact = c.grid(),
-                  .grids = c.grids(),
-                  .state = std::move(c.state),
-                  .placement = c.placement,
-                  .interface = std::move(c.interface),
-                  .heating = std::move(c.heating),
-                  .effects = std::move(c.effects)};
+  History history{.contact = c.grid(), .grids = c.grids(), .between = std::move(static_cast<Between&>(c))};
   for (Side& side : c.sides)
     history.solved.push_back(std::move(side.body).take_state());
   return history;
@@ -76,20 +70,20 @@ void CoupledContact::continue_from(History history)
   };
   const int columns = columns_added(c.grid().nx, history.contact.nx);
   static_cast<void>(columns_added(c.grid().ny, history.contact.ny));
-  embed_state(history.contact, history.state, c.grid(), c.state);
-  c.placement = history.placement;
+  embed_state(history.contact, history.between.state, c.grid(), c.state);
+  c.placement = history.between.placement;
   for (std::size_t side = 0; side < 2; ++side)
     (side == 0 ? c.placement.lower : c.placement.upper).column +=
         columns_added(c.view(side).grid().surface.nx, history.grids[side].surface.nx) - columns;
   if (c.interface)
-    c.interface->embed(*history.interface);
-  if (history.heating)
+    c.interface->embed(*history.between.interface);
+  if (history.between.heating)
   {
-    c.heating = std::move(history.heating); // the thermal grids do not grow
+    c.heating = std::move(history.between.heating); // the thermal grids do not grow
     c.heating->move_to(c.grid());
   }
   for (std::size_t i = 0; i < c.effects.size(); ++i)
-    c.effects[i]->embed(*history.effects[i]);
+    c.effects[i]->embed(*history.between.effects[i]);
   spread(c, c.placement);
   for (std::size_t i = 0; i < c.sides.size(); ++i)
     c.sides[i].body.continue_from(history.solved[i], history.grids[i], c.sides[i].load());

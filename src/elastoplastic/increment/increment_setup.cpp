@@ -41,9 +41,11 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const Settings& settings, Twin twin, Textures textures, double reference,
                                const Sliding& sliding, Symmetry symmetry)
     : parts_(make_hidden<ContactParts>(
+          Between{},
           halfspace::SurfaceCompliance(contact, contact_modulus(lower_material.elastic, upper_material.elastic),
                                        reference),
-          std::move(textures), scales, settings, twin, sliding.sticks ? Symmetry::none : symmetry))
+          std::move(textures), scales, settings, twin, sliding.sticks ? Symmetry::none : symmetry)),
+      between_(&*parts_)
 {
   ContactParts& c = *parts_;
   for (std::vector<double>* field : {&c.state.pressure, &c.state.gap, &c.distance})

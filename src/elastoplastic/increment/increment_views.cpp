@@ -99,46 +99,6 @@ BodyView CoupledContact::upper() const
   return parts_->view(1);
 }
 
-std::span<const double> CoupledContact::pressure() const
-{
-  return parts_->state.pressure;
-}
-
-std::span<const double> CoupledContact::gap() const
-{
-  return parts_->state.gap;
-}
-
-double CoupledContact::approach() const
-{
-  return parts_->state.approach;
-}
-
-const Interface* CoupledContact::interface() const
-{
-  return parts_->interface.get();
-}
-
-const SlidingInterface* CoupledContact::sliding() const
-{
-  return dynamic_cast<const SlidingInterface*>(interface());
-}
-
-const PartialSlip* CoupledContact::partial_slip() const
-{
-  return dynamic_cast<const PartialSlip*>(interface());
-}
-
-const Heating* CoupledContact::heating() const
-{
-  return parts_->heating.get();
-}
-
-std::span<const std::unique_ptr<Effect>> CoupledContact::effects() const
-{
-  return parts_->effects;
-}
-
 const SurfaceGrid& CoupledContact::grid() const
 {
   return parts_->grid();

@@ -100,12 +100,11 @@ void PartialSlip::advect(const Bodies& bodies)
     contact::carry(grid, carried_, before_.shear[axis], shear_before_[axis]);
   if (carried_[0] == 0)
     return;
-  for_parts(
-      [&](std::string_view /*name*/, const Traits& traits, const auto& before, auto& now)
+  for_fields(
+      [&](const Traits& traits, const std::vector<double>& before, std::vector<double>& now)
       {
-        if constexpr (requires { before.size(); })
-          if (traits.is_carried)
-            contact::carry(grid, carried_, before, now);
+        if (traits.is_carried)
+          contact::carry(grid, carried_, before, now);
       },
       std::as_const(before_), state_);
 }

@@ -53,7 +53,7 @@ BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin
   s.contact_x = contact_x;
   s.is_rigid = body.material().elastic.is_rigid();
   if (!s.is_rigid)
-    s.residual_displacement = body.scalars(&elastoplastic::BodyState::residual_displacement);
+    s.residual_displacement = body.field(&elastoplastic::BodyState::residual_displacement);
   return s;
 }
 
@@ -64,10 +64,10 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
   using elastoplastic::BodyState;
   if (body.material().elastic.is_rigid())
     return {};
-  return {.equivalent_plastic_strain = [body] { return body.scalars(&BodyState::equivalent); },
+  return {.equivalent_plastic_strain = [body] { return body.field(&BodyState::equivalent); },
           .temperature = std::move(temperature),
           .plastic_strain = [body]
-          { return six_fields(body.deviators(&BodyState::plastic_strain), std::vector<double>(body.grid().size())); },
+          { return six_fields(body.field(&BodyState::plastic_strain), std::vector<double>(body.grid().size())); },
           .stress =
               [stress]
           {

@@ -28,7 +28,7 @@ void expect_as_the_fields(const std::vector<CoupledContact::CellState>& states, 
   double largest = 0.0;
   for (const double stress : fields.deviator)
     largest = std::max(largest, std::abs(stress));
-  const std::vector<double> strain = body.deviators(&BodyState::plastic_strain);
+  const std::vector<double> strain = body.field(&BodyState::plastic_strain);
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
     const Deviator stress = deviator_at(fields.deviator, size, cells[n]), plastic = deviator_at(strain, size, cells[n]);
@@ -38,7 +38,7 @@ void expect_as_the_fields(const std::vector<CoupledContact::CellState>& states, 
       EXPECT_EQ(states[n].plastic_strain[c], plastic[c]);
     }
     EXPECT_NEAR(states[n].stress.trace, fields.trace[cells[n]], rounding * largest) << "cell " << n;
-    EXPECT_EQ(states[n].equivalent, body.scalars(&BodyState::equivalent)[cells[n]]);
+    EXPECT_EQ(states[n].equivalent, body.field(&BodyState::equivalent)[cells[n]]);
     EXPECT_FALSE(states[n].temperature);
   }
 }
