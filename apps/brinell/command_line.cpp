@@ -3,6 +3,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/processor.hpp"
 #include "brinell/io/case_template.hpp"
+#include "brinell/io/member_keys.hpp"
 #include "brinell/io/printable.hpp"
 #include "brinell/io/versions.hpp"
 #include "commands.hpp"
@@ -51,10 +52,10 @@ constexpr std::string_view usage =
 brinell --help lists all commands, brinell COMMAND --help the options of one.
 )";
 
-/// Prints the lines of an error on stderr, each with the name of the program.
+/// Prints the lines of an error, which may name members of a case, on stderr, each with the name of the program.
 int report(std::string_view message, int exit_code)
 {
-  const std::string text = io::printable(message);
+  const std::string text = io::printable(io::with_keys(message));
   for (std::size_t begin = 0; begin <= text.size();)
   {
     const auto end = std::min(text.find('\n', begin), text.size());

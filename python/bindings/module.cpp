@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/processor.hpp"
+#include "brinell/io/member_keys.hpp"
 #include "brinell/io/printable.hpp"
 
 #include <new>
@@ -16,7 +17,9 @@ namespace
 void raise(const char* name, const char* text)
 {
   const nb::object type = nb::module_::import_("brinell.errors").attr(name);
-  PyErr_SetString(type.ptr(), brinell::io::printable(text).c_str()); // other bytes would leave an empty message
+  PyErr_SetString(
+      type.ptr(),
+      brinell::io::printable(brinell::io::with_keys(text)).c_str()); // other bytes would leave an empty message
 }
 
 void translate(const std::exception_ptr& pointer, void* /*payload*/)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/io/member_keys.hpp"
 #include "brinell/simulation/run.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ std::vector<typename ScenarioCase::Record> history(const ScenarioCase& c)
   return rows;
 }
 
-/// The key that a plan is refused for, and a part of the message.
+/// The key that a plan is refused for, and a part of the message as users of a case file read it.
 template <typename ScenarioCase>
 void expect_refused(const ScenarioCase& c, const std::string& key, const std::string& part)
 {
@@ -32,10 +33,11 @@ void expect_refused(const ScenarioCase& c, const std::string& key, const std::st
     static_cast<void>(plan(c));
     ADD_FAILURE() << "not refused: " << key << ", " << part;
   }
-  catch (const KeyError& error)
+  catch (const PlanError& error)
   {
-    EXPECT_EQ(error.key(), key) << error.what();
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part << "\n  in: " << error.what();
+    EXPECT_EQ(io::key_of_member(error.member()), key) << error.what();
+    const std::string text = io::with_keys(error.what());
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n  in: " << text;
   }
 }
 

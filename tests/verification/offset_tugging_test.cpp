@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/member_keys.hpp"
 #include "tugging_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -180,7 +181,7 @@ std::string refusal(const TuggingCase& t)
   }
   catch (const InputError& error)
   {
-    return error.what();
+    return io::with_keys(error.what());
   }
   return "";
 }

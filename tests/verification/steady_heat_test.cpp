@@ -3,6 +3,7 @@
 #include "scenario_runs.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/member_keys.hpp"
 
 #include <gtest/gtest.h>
 
@@ -205,7 +206,7 @@ TEST(SteadyHeat, WhatThereIsNotIsRefused)
     }
     catch (const InputError& error)
     {
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      EXPECT_NE(io::with_keys(error.what()).find(part), std::string::npos) << error.what();
     }
   };
   RollingCase c = resting_ball(10e-3);

@@ -48,7 +48,7 @@ inline constexpr std::array<Column<HeatedRecord>, 7> heated{{
      "heat that has entered the lower body by its surface since the start"},
     {"heat_upper", "J", &HeatedRecord::heat_upper,
      "heat that has entered the upper body by its surface since the start"},
-    {"heat_of_source", "J", &HeatedRecord::heat_of_source, "heat of the source (thermal.source) since the start"},
+    {"heat_of_source", "J", &HeatedRecord::heat_of_source, "heat of the source since the start"},
     {"heat_of_plastic_work", "J", &HeatedRecord::heat_of_plastic_work,
      "heat of the plastic work of both bodies since the start"},
     {"work_of_expansion", "J", &HeatedRecord::work_of_expansion,

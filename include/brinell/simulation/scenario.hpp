@@ -6,6 +6,7 @@
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "brinell/simulation/plan_error.hpp"
 #include "brinell/simulation/shape.hpp"
 #include "brinell/simulation/texture.hpp"
 
@@ -50,18 +51,6 @@ struct Domain
   /// Whether both axes are periodic.
   [[nodiscard]] bool is_periodic() const { return x.is_periodic() && y.is_periodic(); }
   bool operator==(const Domain&) const = default;
-};
-
-/// The value of one key of a case is not allowed, or not compatible with other keys. The text names the key, its value and the
-/// allowed values.
-class KeyError : public InputError
-{
-public:
-  KeyError(std::string key, const std::string& what) : InputError(what), key_(std::move(key)) {}
-  [[nodiscard]] const std::string& key() const { return key_; } ///< "grid.cells"
-
-private:
-  std::string key_;
 };
 
 /// Whether the problem is plane: the grid is a single row that repeats along y, so that nothing varies along y.

@@ -61,7 +61,7 @@ struct ClosestApproach
 /// With the radii R1, R2 across the motion and the heights of the tops overlapping by alpha, an offset y tilts the line of
 /// centres by atan(y/(R1 + R2 - alpha)) and leaves an interference of R1 + R2 - hypot(R1 + R2 - alpha, y), which is
 /// alpha - y^2/(2 (R1 + R2)) to second order: docs/theory/simulation.md (offset).
-/// @throws KeyError if there is an offset and a body is not rounded across the motion
+/// @throws PlanError if there is an offset and a body is not rounded across the motion
 [[nodiscard]] ClosestApproach closest_approach(const TuggingCase& tugging);
 
 struct TuggingPlan : Plan

@@ -24,7 +24,7 @@ std::string CaseReader::only_one_of(std::string_view group, std::string_view adv
 std::string CaseReader::place(const std::string& key) const
 {
   const Given* given = raw.find(key);
-  return given ? given->place : raw.place_for(key);
+  return given ? given->place : raw.place_for(is_table(key) ? key + "." : key);
 }
 
 std::string CaseReader::cited(const std::string& key) const

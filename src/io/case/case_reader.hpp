@@ -68,20 +68,20 @@ struct CaseReader
 template <typename... Values>
 void warn(Case& c, const char* key, fmt::format_string<Values...> text, Values&&... values)
 {
-  c.warnings.push_back({key, fmt::format(text, std::forward<Values>(values)...)});
+  c.warnings.push_back({key, with_keys(fmt::format(text, std::forward<Values>(values)...))});
 }
 
-/// Performs an action that throws if the case cannot be computed. The error becomes a problem at the key that the error names,
-/// at the source of the grid if it is a GridError, or otherwise at `key`.
+/// Performs an action that throws if the case cannot be computed. The error becomes a problem at the key of the member that the
+/// error names, at the source of the grid if it is a GridError, or otherwise at `key`.
 template <typename Action>
 void at_its_key(const CaseReader& reader, const Case& c, const std::string& key, const Action& action)
 try
 {
   action();
 }
-catch (const simulation::KeyError& error)
+catch (const simulation::PlanError& error)
 {
-  reader.problems.add(reader.place(error.key()), error.what());
+  reader.problems.add(reader.place(key_of_member(error.member())), error.what());
 }
 catch (const GridError& error)
 {

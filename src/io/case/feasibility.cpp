@@ -114,7 +114,7 @@ auto planned(const ScenarioCase& scenario, const std::string& grid_source)
   }
   catch (const GridError& error)
   {
-    throw InputError(fmt::format("{}: {}", grid_source, error.what()));
+    throw InputError(fmt::format("{}: {}", grid_source, with_keys(error.what())));
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/member_keys.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -25,9 +26,10 @@ class Problems
 {
 public:
   /// @param place  "file", "file:line" or "--set key=value"; empty for a case that a program has made
+  /// @param text   may name members of the case (`with_keys`)
   void add(std::string_view place, std::string_view text)
   {
-    problems_.push_back({line_number(place), at_place(place, text)});
+    problems_.push_back({line_number(place), at_place(place, with_keys(text))});
   }
 
   /// Adds a problem that may be the cause of all others, and is listed first.

@@ -200,7 +200,7 @@ Case with_cells(const Case& c, double size)
   }
   catch (const GridError& error)
   {
-    throw InputError(fmt::format("{}: {}", c.grid_source, error.what()));
+    throw InputError(fmt::format("{}: {}", c.grid_source, with_keys(error.what())));
   }
   return finer;
 }

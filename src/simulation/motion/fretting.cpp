@@ -149,7 +149,7 @@ private:
       smaller.nx = columns_;
       smaller.ny = columns_ > 0 ? static_cast<int>(path_.size()) / columns_ : 0;
       if (smaller.nx > grid.nx || smaller.ny > grid.ny || smaller.size() != path_.size())
-        throw InputError("the stored state has slip on a grid that does not fit; run without --resume");
+        throw InputError("the stored state has slip on a grid that does not fit; allowed: a run from its start");
       std::vector<double> before(grid.size());
       embed_field(smaller, path_, grid, before);
       double largest = 0.0;

@@ -7,7 +7,7 @@
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/memory.hpp"
-#include "simulation/quality/wear.hpp"
+#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,24 +25,23 @@ using contact::Drive;
 void require_press(const Drive& press, int steps)
 {
   const bool by_load = press.kind == Drive::Kind::load;
-  const char* key = by_load ? "fretting.load" : "fretting.approach";
+  const char* key = by_load ? "`FrettingCase::load`" : "`FrettingCase::approach`";
   if (press.kind == Drive::Kind::mean_gap)
-    throw KeyError("fretting.load", "fretting needs a load or an approach");
+    throw PlanError::at("`FrettingCase::load`", "fretting needs a load or an approach");
   if (!(press.value > 0.0 && std::isfinite(press.value)))
-    throw KeyError(key, fmt::format("{} = {:g} {}; allowed: > 0", key, press.value, by_load ? "N" : "m"));
+    throw PlanError("{} = {:g} {}; allowed: > 0", key, press.value, by_load ? "N" : "m");
   if (steps < 1)
-    throw KeyError("fretting.press_steps", fmt::format("fretting.press_steps = {}; allowed: >= 1", steps));
+    throw PlanError("`FrettingCase::press_steps` = {}; allowed: >= 1", steps);
 }
 
 void require_cycles(const FrettingCase& fretting)
 {
   if (fretting.cycles < 0)
-    throw KeyError("fretting.cycles", fmt::format("fretting.cycles = {}; allowed: >= 0", fretting.cycles));
+    throw PlanError("`FrettingCase::cycles` = {}; allowed: >= 0", fretting.cycles);
   if (fretting.steps_per_cycle < 4 || fretting.steps_per_cycle % 4 != 0)
-    throw KeyError("fretting.steps_per_cycle",
-                   fmt::format("fretting.steps_per_cycle = {}; allowed: multiples of 4", fretting.steps_per_cycle));
+    throw PlanError("`FrettingCase::steps_per_cycle` = {}; allowed: multiples of 4", fretting.steps_per_cycle);
   if (!std::isfinite(fretting.direction))
-    throw KeyError("fretting.direction", fmt::format("fretting.direction = {:g}; allowed: finite", fretting.direction));
+    throw PlanError("`FrettingCase::direction` = {:g}; allowed: finite", fretting.direction);
 }
 
 /// Upper bound of the load [N]. Under an approach it is the load of the elastic bodies, if these are smooth, increased for
@@ -69,52 +68,51 @@ void require_held(const FrettingCase& fretting, const std::string& given, double
   const std::string carried =
       fretting.press.kind == Drive::Kind::load
           ? "friction times load"
-          : fmt::format("friction times the largest load under fretting.approach = {:g} m", fretting.press.value);
-  throw KeyError("fretting.force", fmt::format("{}; allowed: below {:g} N ({}), because at that force the whole "
-                                               "contact slides; for sliding, give fretting.displacement instead",
-                                               given, most, carried));
+          : fmt::format("friction times the largest load under `FrettingCase::approach` = {:g} m",
+                        fretting.press.value);
+  throw PlanError("{}; allowed: below {:g} N ({}), because at that force the whole "
+                  "contact slides; for sliding, give `FrettingCase::displacement` instead",
+                  given, most, carried);
 }
 
 /// Checks that the slip of a step exceeds the errors of the approach: pressing leaves an error of the size of its tolerance,
 /// which is smaller with little friction.
-void require_above_errors(const FrettingCase& fretting, const std::string& key, const std::string& given,
-                          const Footprint& footprint)
+void require_above_errors(const FrettingCase& fretting, const std::string& given, const Footprint& footprint)
 {
   constexpr double least_friction = 1e-10, little = 1e-3;
   const double mu = fretting.friction.coefficient;
   if (mu > 0.0 && mu < least_friction)
-    throw KeyError("interface.friction",
-                   fmt::format("interface.friction = {:g}; allowed: 0, or at least {:g}, because with less friction "
-                               "the slip is lost in the rounding errors of the approach",
-                               mu, least_friction));
+    throw PlanError("`Friction::coefficient` = {:g}; allowed: 0, or at least {:g}, because with less friction "
+                    "the slip is lost in the rounding errors of the approach",
+                    mu, least_friction);
   const bool by_force = fretting.kind == FrettingCase::Kind::force;
   const double step = fretting.solver.contact_tolerance * std::min(1.0, mu / little) *
                       (by_force ? largest_load(fretting, footprint) : footprint.approach);
   const double least = 0.25 * fretting.steps_per_cycle * step;
   if (fretting.amplitude > 0.0 && std::isfinite(least) && fretting.amplitude < least)
-    throw KeyError(key, fmt::format("{}; allowed: 0, or at least {:.3g} {}, because smaller steps are lost in the "
-                                    "error of the approach (solver.contact_tolerance = {:g})",
-                                    given, least, by_force ? "N" : "m", fretting.solver.contact_tolerance));
+    throw PlanError("{}; allowed: 0, or at least {:.3g} {}, because smaller steps are lost in the "
+                    "error of the approach (`Settings::contact_tolerance` = {:g})",
+                    given, least, by_force ? "N" : "m", fretting.solver.contact_tolerance);
 }
 
 /// Checks that friction can carry the imposed force, and that the amplitude is small enough for the contact to stay in place.
 void require_amplitude(const FrettingCase& fretting, const Footprint& footprint)
 {
   const bool by_force = fretting.kind == FrettingCase::Kind::force;
-  const std::string key = by_force ? "fretting.force" : "fretting.displacement";
+  const std::string key = by_force ? "`FrettingCase::force`" : "`FrettingCase::displacement`";
   const std::string given = fmt::format("{} = {:g} {}", key, fretting.amplitude, by_force ? "N" : "m");
   if (!(fretting.amplitude >= 0.0 && std::isfinite(fretting.amplitude)))
-    throw KeyError(key, given + "; allowed: >= 0");
+    throw PlanError("{}; allowed: >= 0", given);
   if (fretting.amplitude > 0.0 && fretting.friction.coefficient == 0.0)
-    throw KeyError("interface.friction", "interface.friction = 0 with " + given +
-                                             ": without friction the surfaces cannot stick; allowed: > 0");
+    throw PlanError("`Friction::coefficient` = 0 with {}: without friction the surfaces cannot stick; allowed: > 0",
+                    given);
   if (by_force && fretting.amplitude > 0.0)
     require_held(fretting, given, largest_load(fretting, footprint));
   if (!by_force && !(fretting.amplitude <= footprint.half_x))
-    throw KeyError(key, fmt::format("{}; allowed: up to {:.3g} m, the radius of the contact, because the contact is "
-                                    "treated as staying in place",
-                                    given, footprint.half_x));
-  require_above_errors(fretting, key, given, footprint);
+    throw PlanError("{}; allowed: up to {:.3g} m, the radius of the contact, because the contact is "
+                    "treated as staying in place",
+                    given, footprint.half_x);
+  require_above_errors(fretting, given, footprint);
 }
 
 /// Displacement at which a round contact begins to slide everywhere (Mindlin 1949) [m].
@@ -152,7 +150,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   require_cycles(fretting);
   require_heat(fretting, fretting.lower, fretting.upper,
                {.speed = fretting.frequency,
-                .speed_key = "fretting.frequency",
+                .speed_name = "`FrettingCase::frequency`",
                 .upper_rests = true,
                 .sticks = true,
                 .name = "frequency",
@@ -175,7 +173,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   plan.contact_radius_y = f.half_y;
   plan.sliding_displacement = sliding_displacement(fretting, f.approach);
   plan.steps = step_count(fretting.press_steps + static_cast<double>(fretting.cycles) * fretting.steps_per_cycle,
-                          "fretting.cycles");
+                          "`FrettingCase::cycles`");
   plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
   const bool heats = is_heated(fretting, fretting.lower, fretting.upper);
   if (heats)

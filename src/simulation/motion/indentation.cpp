@@ -199,7 +199,7 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
   if (indentation.sequence.front().kind != Drive::Kind::approach)
     return;
   if (const auto reason = reason_against_approach(indentation.lower, indentation.upper, largest.value,
-                                                  indentation.domain, "indentation"))
+                                                  indentation.domain, "IndentationCase"))
     throw InputError(fmt::format("an approach of {:.4g} m {}", largest.value, *reason));
 }
 
@@ -229,7 +229,7 @@ IndentationPlan plan(const IndentationCase& indentation)
   plan.symmetry = symmetry_of(indentation.lower, indentation.upper, indentation, plan.contact);
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),
-                          "indentation.steps");
+                          "`IndentationCase::steps`");
   plan.is_textured = !are_smooth(indentation.lower, indentation.upper);
   plan.memory_bytes = memory_bytes(plan, indentation.lower.material, indentation.upper.material, indentation.solver,
                                    indentation.friction.coefficient > 0.0 ? 1 : 0, nullptr);

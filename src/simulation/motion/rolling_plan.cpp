@@ -9,7 +9,7 @@
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/memory.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/quality/wear.hpp"
+#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,35 +37,28 @@ void require_creepage(const RollingCase& rolling, double half)
     return;
   const auto& [longitudinal, lateral, spin] = *rolling.creepage;
   const bool only_spins = longitudinal == 0.0 && lateral == 0.0 && spin != 0.0;
-  const std::string creepage = fmt::format("rolling.creepage = [{:g}, {:g}]", longitudinal, lateral);
-  const std::string given = only_spins ? fmt::format("rolling.spin = {:g} rad/m", spin) : creepage;
-  const std::string key = only_spins ? "rolling.spin" : "rolling.creepage";
+  const std::string creepage = fmt::format("`RollingCase::creepage` = [{:g}, {:g}]", longitudinal, lateral);
+  const std::string given = only_spins ? fmt::format("`RollingCase::spin` = {:g} rad/m", spin) : creepage;
   for (const double part : {longitudinal, lateral})
     if (!(std::abs(part) <= largest_creepage))
-      throw KeyError("rolling.creepage",
-                     fmt::format("{}; allowed: each from -{} to {}. For surfaces that slide everywhere there is "
-                                 "rolling.slide_to_roll",
-                                 creepage, largest_creepage, largest_creepage));
+      throw PlanError("{}; allowed: each from -{} to {}. For surfaces that slide everywhere there is "
+                      "`RollingCase::slide_to_roll`",
+                      creepage, largest_creepage, largest_creepage);
   if (!(std::abs(spin) * half <= largest_creepage))
-    throw KeyError("rolling.spin",
-                   fmt::format("rolling.spin = {:g} rad/m; allowed: up to {:.3g} rad/m, {} over the half-length of the "
-                               "contact",
-                               spin, largest_creepage / half, largest_creepage));
+    throw PlanError("`RollingCase::spin` = {:g} rad/m; allowed: up to {:.3g} rad/m, {} over the half-length of the "
+                    "contact",
+                    spin, largest_creepage / half, largest_creepage);
   if (rolling.slide_to_roll != 0.0)
-    throw KeyError(
-        key, fmt::format("{} with rolling.slide_to_roll = {:g}, which makes the surfaces slide everywhere; allowed: "
-                         "slide_to_roll = 0. With stick and slip, the longitudinal creepage takes its place",
-                         given, rolling.slide_to_roll));
+    throw PlanError("{} with `RollingCase::slide_to_roll` = {:g}, which makes the surfaces slide everywhere; allowed: "
+                    "slide_to_roll = 0. With stick and slip, the longitudinal creepage takes its place",
+                    given, rolling.slide_to_roll);
   if (rolling.friction.coefficient == 0.0)
-    throw KeyError(
-        key,
-        fmt::format("{} with interface.friction = 0: without friction the surfaces cannot stick; allowed: > 0", given));
+    throw PlanError("{} with `Friction::coefficient` = 0: without friction the surfaces cannot stick; allowed: > 0",
+                    given);
   if (spin != 0.0 && (rolling.domain.x.is_periodic() || rolling.domain.y.is_periodic()))
-    throw KeyError(
-        "rolling.spin",
-        fmt::format("rolling.spin = {:g} rad/m between surfaces without ends, which cannot turn; allowed: 0, "
-                    "or grid.boundary = \"open\"",
-                    spin));
+    throw PlanError("`RollingCase::spin` = {:g} rad/m between surfaces without ends, which cannot turn; allowed: 0, "
+                    "or `Domain::boundary` = \"open\"",
+                    spin);
 }
 
 /// The shift of a run with creepage: whole cells, because the history of stick and slip is moved by whole cells. A shift that was
@@ -75,9 +68,8 @@ double whole_shift(double shift, double cell)
   constexpr double rounding = 1e-4;
   const double cells = shift / cell, whole = std::round(cells);
   if (!(std::abs(cells - whole) <= rounding * cells && whole > 0.0))
-    throw KeyError(
-        "rolling.shift",
-        fmt::format("rolling.shift = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m", shift, cell));
+    throw PlanError("`RollingCase::shift` = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m", shift,
+                    cell);
   return whole * cell;
 }
 
@@ -110,14 +102,14 @@ RollingPlan plan(const RollingCase& rolling)
 {
   const std::string why_not =
       rolling.slide_to_roll == 0.0 && !rolling.creepage
-          ? "the surfaces do not slide with rolling.slide_to_roll = 0; allowed: 0, or another slide_to_roll, or "
-            "rolling.creepage"
+          ? "the surfaces do not slide with `RollingCase::slide_to_roll` = 0; allowed: 0, or another slide_to_roll, or "
+            "`RollingCase::creepage`"
           : "";
   require_friction(rolling, rolling.lower, rolling.upper, why_not);
   require_wear(rolling, why_not);
   require_heat(rolling, rolling.lower, rolling.upper,
                {.speed = rolling.speed,
-                .speed_key = "rolling.speed",
+                .speed_name = "`RollingCase::speed`",
                 .upper_rests = rolling.slide_to_roll == 2.0,
                 .sticks = rolling.creepage.has_value()});
   if (!(rolling.drive.value > 0.0))
@@ -133,7 +125,8 @@ RollingPlan plan(const RollingCase& rolling)
     throw InputError(
         fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
   // An even number, so that a step ends at the middle of the track.
-  plan.rolling_steps = 2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "rolling.distance"));
+  plan.rolling_steps =
+      2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "`RollingCase::distance`"));
   const double track = 0.5 * plan.rolling_steps * plan.shift;
   plan.surfaces_only = needs_surfaces_only(rolling, rolling.lower, rolling.upper);
   lay_out(rolling, f, track, upper_share(rolling) * track, plan);
@@ -143,7 +136,7 @@ RollingPlan plan(const RollingCase& rolling)
     plan.shift = whole_shift(plan.shift, plan.contact.dx);
   plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
-                          "rolling.passes");
+                          "`RollingCase::passes`");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
   plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);

@@ -169,14 +169,7 @@ private:
   void restore(const Archive::Fields& checkpoint)
   {
     Archive archive(checkpoint);
-    try
-    {
-      exchange(archive);
-    }
-    catch (const InputError& error)
-    {
-      throw InputError(std::string("checkpoint.h5: ") + error.what() + "; run without --resume");
-    }
+    exchange(archive);
   }
 
   using M = typename MotionOf<Case>::Type;

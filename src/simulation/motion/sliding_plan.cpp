@@ -12,7 +12,7 @@
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/meeting.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/quality/wear.hpp"
+#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,33 +40,31 @@ void require_press(const SlidingCase& sliding)
 {
   const auto& [kind, value] = sliding.press;
   if (sliding.press_steps < 1)
-    throw KeyError("sliding.press_steps", fmt::format("sliding.press_steps = {}; allowed: >= 1", sliding.press_steps));
+    throw PlanError("`SlidingCase::press_steps` = {}; allowed: >= 1", sliding.press_steps);
   const bool is_allowed = kind == Drive::Kind::approach || value > 0.0; // peaks may meet even at a negative approach
   if (!(is_allowed && std::isfinite(value)))
     throw InputError(fmt::format("sliding needs a load or a mean gap > 0, or a finite approach, not {:g}", value));
   if (kind == Drive::Kind::approach)
-    if (const auto reason = reason_against_approach(sliding.lower, sliding.upper, value, sliding.domain, "sliding"))
-      throw KeyError("sliding.approach", fmt::format("sliding.approach = {:.4g} m {}", value, *reason));
+    if (const auto reason = reason_against_approach(sliding.lower, sliding.upper, value, sliding.domain, "SlidingCase"))
+      throw PlanError("`SlidingCase::approach` = {:.4g} m {}", value, *reason);
 }
 
 void require_motion(const SlidingCase& sliding)
 {
   if (!std::holds_alternative<Plane>(sliding.lower.shape))
-    throw KeyError(
-        "lower.shape",
+    throw PlanError::at(
+        member_of("lower", "shape"),
         "sliding needs a flat lower body, because the contact stays in place on the upper one; allowed: \"flat\", with "
         "the other shape for the upper body (two balls that pass each other: scenario = \"tugging\")");
   if (!(sliding.distance > 0.0 && std::isfinite(sliding.distance)))
-    throw KeyError("sliding.distance", fmt::format("sliding.distance = {:g} m; allowed: > 0", sliding.distance));
+    throw PlanError("`SlidingCase::distance` = {:g} m; allowed: > 0", sliding.distance);
   if (sliding.strokes < 1)
-    throw KeyError("sliding.strokes", fmt::format("sliding.strokes = {}; allowed: >= 1", sliding.strokes));
+    throw PlanError("`SlidingCase::strokes` = {}; allowed: >= 1", sliding.strokes);
   if (sliding.strokes > 1 && !sliding.to_and_fro && !sliding.domain.x.is_periodic())
-    throw KeyError(
-        "sliding.strokes",
-        fmt::format("sliding.strokes = {} would leave the track for good: without a period along x the upper "
-                    "body has to come back; allowed: sliding.to_and_fro = true, or one stroke over a longer "
-                    "sliding.distance",
-                    sliding.strokes));
+    throw PlanError("`SlidingCase::strokes` = {} would leave the track for good: without a period along x the upper "
+                    "body has to come back; allowed: `SlidingCase::to_and_fro` = true, or one stroke over a longer "
+                    "`SlidingCase::distance`",
+                    sliding.strokes);
 }
 
 /// Length of the track on the lower body [m].
@@ -78,11 +76,9 @@ double track_length(const SlidingCase& sliding)
 void require_touch(const Meeting& met, double approach)
 {
   if (!(met.touch < approach))
-    throw KeyError(
-        "sliding.approach",
-        fmt::format("sliding.approach = {:.4g} m: on their way the undeformed surfaces first touch at {:.4g} "
+    throw PlanError("`SlidingCase::approach` = {:.4g} m: on their way the undeformed surfaces first touch at {:.4g} "
                     "m; allowed: more",
-                    approach, met.touch));
+                    approach, met.touch);
 }
 
 Footprint footprint_of(const SlidingCase& sliding)
@@ -93,9 +89,9 @@ Footprint footprint_of(const SlidingCase& sliding)
     return footprint(lower, upper, largest_drive(pressing(sliding)), sliding.domain, friction);
   const double approach = sliding.press.value;
   if (are_smooth(lower, upper) && !(approach > 0.0))
-    throw KeyError("sliding.approach", fmt::format("sliding.approach = {:.4g} m: smooth bodies touch above 0; allowed: "
-                                                   "> 0, or textures whose peaks meet",
-                                                   approach));
+    throw PlanError("`SlidingCase::approach` = {:.4g} m: smooth bodies touch above 0; allowed: "
+                    "> 0, or textures whose peaks meet",
+                    approach);
   const bool is_of_flats = sliding.domain.is_periodic() && are_flat(lower, upper); // see require_meeting
   if (are_smooth(lower, upper) || is_of_flats)
     return footprint(lower, upper, sliding.press, sliding.domain, friction);
@@ -119,9 +115,9 @@ void require_meeting(const SlidingCase& sliding, const SlidingPlan& plan)
   if (kind == Drive::Kind::approach)
     return require_touch(met, value);
   if (const double gap = met.mean - met.touch; !(value < gap))
-    throw KeyError("sliding.mean_gap", fmt::format("sliding.mean_gap = {:.4g} m: the surfaces first touch at {:.4g} m; "
-                                                   "allowed: less",
-                                                   value, gap));
+    throw PlanError("`SlidingCase::mean_gap` = {:.4g} m: the surfaces first touch at {:.4g} m; "
+                    "allowed: less",
+                    value, gap);
 }
 
 halfspace::HeatTimes heat_times(const SlidingCase& sliding, const SlidingPlan& plan)
@@ -141,16 +137,16 @@ SlidingPlan plan(const SlidingCase& sliding)
   require_motion(sliding);
   require_press(sliding);
   require_heat(sliding, sliding.lower, sliding.upper,
-               {.speed = sliding.speed, .speed_key = "sliding.speed", .upper_rests = true});
+               {.speed = sliding.speed, .speed_name = "`SlidingCase::speed`", .upper_rests = true});
   const Footprint f = footprint_of(sliding);
   SlidingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
   plan.shift = sliding.shift.value_or(cell_sizes(sliding, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
   if (!(plan.shift > 0.0 && plan.shift <= sliding.distance))
-    throw KeyError("sliding.shift", fmt::format("sliding.shift = {:g} m; allowed: > 0, up to sliding.distance = {:g} m",
-                                                plan.shift, sliding.distance));
-  plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "sliding.distance"));
+    throw PlanError("`SlidingCase::shift` = {:g} m; allowed: > 0, up to `SlidingCase::distance` = {:g} m", plan.shift,
+                    sliding.distance);
+  plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "`SlidingCase::distance`"));
   plan.surfaces_only = needs_surfaces_only(sliding, sliding.lower, sliding.upper);
   lay_out(sliding, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
   require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
@@ -160,7 +156,7 @@ SlidingPlan plan(const SlidingCase& sliding)
   if (sliding.domain.is_periodic())
     require_meeting(sliding, plan);
   plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
-                          "sliding.strokes");
+                          "`SlidingCase::strokes`");
   plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
   if (heats)

@@ -11,7 +11,7 @@
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/memory.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/quality/wear.hpp"
+#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +35,10 @@ double rounding_across(const char* body, const Shape& shape)
 {
   const auto* paraboloid = std::get_if<Paraboloid>(&shape);
   if (!paraboloid || !(paraboloid->radius_y > 0.0) || !std::isfinite(paraboloid->radius_y))
-    throw KeyError("tugging.offset", fmt::format("tugging.offset: {}.shape is not rounded across the motion, so that "
-                                                 "nothing passes beside its top; allowed with an offset: spheres, and "
-                                                 "ellipsoids with radius_y > 0",
-                                                 body));
+    throw PlanError("`TuggingCase::offset`: {} is not rounded across the motion, so that "
+                    "nothing passes beside its top; allowed with an offset: spheres, and "
+                    "ellipsoids with radius_y > 0",
+                    member_of(body, "shape"));
   return paraboloid->radius_y;
 }
 
@@ -62,11 +62,10 @@ void require_touch(const TuggingCase& tugging, double interference)
     return;
   const double overlap = tugging.interference;
   const double sum = rounding_across("lower", tugging.lower.shape) + rounding_across("upper", tugging.upper.shape);
-  throw KeyError("tugging.offset",
-                 fmt::format("tugging.offset amounts to {:.6g} m, at which the bodies pass without touching; allowed "
-                             "with an interference of {:.4g} m: between -{:.6g} and {:.6g} m",
-                             tugging.offset, overlap, std::sqrt(overlap * (2.0 * sum - overlap)),
-                             std::sqrt(overlap * (2.0 * sum - overlap))));
+  throw PlanError("`TuggingCase::offset` amounts to {:.6g} m, at which the bodies pass without touching; allowed "
+                  "with an interference of {:.4g} m: between -{:.6g} and {:.6g} m",
+                  tugging.offset, overlap, std::sqrt(overlap * (2.0 * sum - overlap)),
+                  std::sqrt(overlap * (2.0 * sum - overlap)));
 }
 
 Pair pair_of(const TuggingCase& tugging)
@@ -205,9 +204,9 @@ double required_radius(const char* body, const Shape& shape)
 {
   const std::optional<double> radius = passing_radius(shape);
   if (!radius)
-    throw InputError(fmt::format("{}.shape has no radius > 0 in the plane of motion and cannot pass another body; "
+    throw InputError(fmt::format("{} has no radius > 0 in the plane of motion and cannot pass another body; "
                                  "allowed in tugging: spheres, ellipsoids with radius_x > 0, and cylinders",
-                                 body));
+                                 member_of(body, "shape")));
   return *radius;
 }
 
@@ -248,7 +247,7 @@ double relative_cells(const TuggingCase& tugging, double dx)
   const double cells = 2.0 * tugging.shift.value_or(dx) / dx;
   const double whole = std::round(cells);
   if (!(cells > 0.0))
-    throw InputError(fmt::format("tugging.shift = {:g} m; allowed: > 0", cells * 0.5 * dx));
+    throw InputError(fmt::format("`TuggingCase::shift` = {:g} m; allowed: > 0", cells * 0.5 * dx));
   return std::abs(cells - whole) <= rounding * cells ? whole : cells;
 }
 
@@ -266,7 +265,7 @@ TuggingPlan plan(const TuggingCase& tugging)
 {
   require_friction(tugging, tugging.lower, tugging.upper, "");
   require_wear(tugging, "");
-  require_heat(tugging, tugging.lower, tugging.upper, {.speed = tugging.speed, .speed_key = "tugging.speed"});
+  require_heat(tugging, tugging.lower, tugging.upper, {.speed = tugging.speed, .speed_name = "`TuggingCase::speed`"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);

@@ -38,7 +38,8 @@ std::optional<std::string> reason_against_contact(const ShapedBody& lower, const
   if (!domain.is_periodic())
     return "touch neither in a point nor in a line of finite length; allowed: a sum of curvatures > 0 along x and y, "
            "a tip, a cylinder of finite length on a flat or on another cylinder, a cylinder of any length with "
-           "grid.boundary = [\"open\", \"periodic\"], or two flats, one of them with a texture, with grid.boundary = "
+           "`Domain::boundary` = [\"open\", \"periodic\"], or two flats, one of them with a texture, with "
+           "`Domain::boundary` = "
            "\"periodic\"";
   const auto k = relative_curvature(lower.shape, upper.shape);
   if (!k || (*k)[0] < 0.0 || (*k)[1] < 0.0)
@@ -46,7 +47,8 @@ std::optional<std::string> reason_against_contact(const ShapedBody& lower, const
   if ((*k)[0] == 0.0 && (*k)[1] > 0.0)
     return "touch in a line along x; allowed: cylinders, whose axes lie along y";
   if (are_smooth(lower, upper) && (*k)[0] == 0.0)
-    return "are two smooth flats, which touch everywhere at once; allowed with grid.boundary = \"periodic\": a texture "
+    return "are two smooth flats, which touch everywhere at once; allowed with `Domain::boundary` = \"periodic\": a "
+           "texture "
            "on one of them, or a shape";
   return std::nullopt;
 }
@@ -133,7 +135,7 @@ std::string what_varies(const ShapedBody& lower, const ShapedBody& upper, bool a
     return "their shapes vary";
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!is_uniform(body->texture, along_y, size))
-      return fmt::format("{}.texture varies", name);
+      return member_of(name, "texture") + " varies";
   return {};
 }
 
@@ -147,20 +149,19 @@ void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, 
     return;
   constexpr double flat = 1e-6; // share of the texture's height: rounding, and below every tolerance of a contact
   std::string names;
-  for (const auto& [name, body] : {std::pair{"lower.texture", &lower}, {"upper.texture", &upper}})
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
   {
     if (body->texture.is_smooth())
       continue;
     if (roughness_of(sampled_depths(body->texture, grid), grid).height > flat * reach(body->texture).height)
       return;
-    names += names.empty() ? name : " and upper.texture";
+    names += (names.empty() ? "" : " and ") + member_of(name, "texture");
   }
-  const char* const key = domain.x.cells > 0 ? "grid.cells" : "grid.spacing";
-  throw KeyError(key,
-                 fmt::format("{}: on cells of {:g} x {:g} m, each with the mean height over its area, nothing of {} "
-                             "remains, and two flats touch everywhere at once; allowed: cells that resolve the waves: "
-                             "the shortest one has {:.3g} cells and needs 8 for contact area and peak pressure",
-                             key, grid.dx, grid.dy, names, *cells));
+  const char* const key = domain.x.cells > 0 ? "`Domain::cells`" : "`Numerics::spacing`";
+  throw PlanError("{}: on cells of {:g} x {:g} m, each with the mean height over its area, nothing of {} "
+                  "remains, and two flats touch everywhere at once; allowed: cells that resolve the waves: "
+                  "the shortest one has {:.3g} cells and needs 8 for contact area and peak pressure",
+                  key, grid.dx, grid.dy, names, *cells);
 }
 
 bool touch_all_along_y(const Shape& lower, const Shape& upper, const Domain& domain)
@@ -188,8 +189,8 @@ void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, 
                               const SurfaceGrid& grid)
 {
   if (grid.is_periodic() && grid.size() == 1)
-    throw KeyError("grid.cells", "grid.cells = [1, 1]: the pressure on a single cell is uniform and causes no "
-                                 "displacement; allowed: more than one cell along x or y");
+    throw PlanError("`Domain::cells` = [1, 1]: the pressure on a single cell is uniform and causes no "
+                    "displacement; allowed: more than one cell along x or y");
   for (const bool along_y : {false, true})
   {
     const Domain::Axis& axis = along_y ? domain.y : domain.x;
@@ -197,23 +198,21 @@ void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, 
       continue;
     const char* const name = along_y ? "y" : "x";
     if (const double length = roller_length(lower.shape, upper.shape); along_y && length < axis.size)
-      throw KeyError("grid.size",
-                     fmt::format("grid.size = {:g} m along y, in one row, is more than the length of the cylinder, "
-                                 "{:g} m, whose ends one row cannot show; allowed: a period up to that length, or "
-                                 "grid.cells > 1 along y",
-                                 axis.size, length));
+      throw PlanError("`Domain::size` = {:g} m along y, in one row, is more than the length of the cylinder, "
+                      "{:g} m, whose ends one row cannot show; allowed: a period up to that length, or "
+                      "`Domain::cells` > 1 along y",
+                      axis.size, length);
     if (const std::string varying = what_varies(lower, upper, along_y, axis.size); !varying.empty())
-      throw KeyError("grid.cells",
-                     fmt::format("grid.cells is 1 along {0}: one cell takes bodies that are uniform along {0}, as in "
-                                 "plane strain, but {1}; allowed: the period along {0} as grid.size and more "
-                                 "than one cell in it as grid.cells",
-                                 name, varying));
+      throw PlanError("`Domain::cells` is 1 along {0}: one cell takes bodies that are uniform along {0}, as in "
+                      "plane strain, but {1}; allowed: the period along {0} as `Domain::size` and more "
+                      "than one cell in it as `Domain::cells`",
+                      name, varying);
   }
   require_heights_on_cells(lower, upper, domain, grid);
 }
 
 std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper, double approach,
-                                                   const Domain& domain, std::string_view scenario)
+                                                   const Domain& domain, std::string_view scenario_case)
 {
   if (!domain.is_periodic())
     return std::nullopt;
@@ -224,15 +223,17 @@ std::optional<std::string> reason_against_approach(const ShapedBody& lower, cons
   const double mean = std::accumulate(distance.begin(), distance.end(), 0.0) / size;
   const double magnitude =
       std::sqrt(std::inner_product(distance.begin(), distance.end(), distance.begin(), 0.0) / size);
-  const bool may_be_apart = scenario == "sliding"; // initially: peaks may meet on the way, even at a negative approach
+  const bool may_be_apart =
+      scenario_case == "SlidingCase"; // initially: peaks may meet on the way, even at a negative approach
   const double most =
       mean > 1e-12 * magnitude ? mean : 0.0; // a smaller mean is rounding of textures about the mean plane
   if (approach < 0.0 || (most > 0.0 && approach <= most * rounding))
     return std::nullopt;
   return fmt::format(
       "cannot be reached: with both axes periodic the approach counts from the mean planes, and at {0:.3g} m the "
-      "surfaces touch everywhere; allowed: {1}a load or mean pressure instead ({2}.load, {2}.pressure, {2}.mean_gap)",
-      most, most > 0.0 || may_be_apart ? "less than that, or " : "", scenario);
+      "surfaces touch everywhere; allowed: {1}a load or mean pressure instead (`{2}::load`, `{2}::pressure`, "
+      "`{2}::mean_gap`)",
+      most, most > 0.0 || may_be_apart ? "less than that, or " : "", scenario_case);
 }
 
 void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, double load, const Domain& domain)

@@ -17,23 +17,23 @@ namespace brinell::simulation
 
 /// Checks that cells resolve the textures of flats over a period at all. Waves that fit a whole number of times into a cell
 /// vanish in the mean over the cell, and without heights the distance of the flats is the same everywhere.
-/// @throws KeyError
+/// @throws PlanError
 void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
                               const SurfaceGrid& grid);
 
 /// Checks the numbers of cells in periods. A period with a single row or column can represent only what is uniform along it.
 /// @param grid  of the contact.
-/// @throws KeyError if bodies or textures are not uniform in that way; if there is only one cell, which no pressure displaces; or
+/// @throws PlanError if bodies or textures are not uniform in that way; if there is only one cell, which no pressure displaces; or
 /// if the cells do not resolve the textures of flats
 void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
                               const SurfaceGrid& grid);
 
 /// Why bodies that are periodic along both axes cannot approach by a given distance [m]; empty if they can. For such bodies the
 /// approach is counted from the mean planes, and at the mean distance of the surfaces the whole period is in contact.
-/// @param scenario  name used for the keys in the text
+/// @param scenario_case  class whose members the text names
 [[nodiscard]] std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper,
                                                                  double approach, const Domain& domain,
-                                                                 std::string_view scenario);
+                                                                 std::string_view scenario_case);
 
 /// Checks that the plastic zone is finite. The mean pressure p on bodies that are periodic along both axes acts at every depth
 /// and, with lateral strain suppressed, causes a von Mises stress of p (1 - 2 nu)/(1 - nu). Material that yields under this

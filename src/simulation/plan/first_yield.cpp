@@ -112,9 +112,9 @@ std::optional<std::string> reason_against_first_yield(const ShapedBody& lower, c
     return "neither body can yield";
   if (!curvature_of(lower.shape, upper.shape, contact_kind(lower.shape, upper.shape, domain)))
     return "the bodies are neither round where they touch, nor cylinders in plane strain "
-           "(grid.boundary = [\"open\", \"periodic\"])";
+           "(`Domain::boundary` = [\"open\", \"periodic\"])";
   if (!nominal_first_yield(lower, upper, domain))
-    return fmt::format("grid.reference = {:.4g} m is too short compared with the contact at first yield",
+    return fmt::format("`Domain::reference` = {:.4g} m is too short compared with the contact at first yield",
                        reference_distance(lower.shape, upper.shape, domain));
   return std::nullopt;
 }

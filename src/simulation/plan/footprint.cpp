@@ -180,12 +180,10 @@ Footprint of_endless_line(const Combined& pair, double radius, const Shape& lowe
   const auto approach = [&](double b) { return b * b / (4.0 * radius) * (1.0 + 2.0 * std::log(2.0 * reference / b)); };
   if (const double most = approach(reference);
       !domain.x.is_periodic() && drive.kind == Drive::Kind::approach && !(drive.value <= most))
-    throw KeyError(
-        "grid.reference",
-        fmt::format("grid.reference = {:.4g} m: with it a cylinder of radius {:.4g} m approaches by {:.4g} m "
+    throw PlanError("`Domain::reference` = {:.4g} m: with it a cylinder of radius {:.4g} m approaches by {:.4g} m "
                     "while the half-width of the contact grows up to that reference, and is to approach by "
                     "{:.4g} m; allowed: a smaller approach, or a larger reference",
-                    reference, radius, most, drive.value));
+                    reference, radius, most, drive.value);
   Footprint f = of_line(pair, {radius, domain.y.size, 2.0 * reference, pair.yield_pressure}, drive, approach);
   f.endless_y = true;
   return f;
@@ -272,12 +270,10 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
   const double reference = reference_distance(lower.shape, upper.shape, domain);
   const double half = domain.y.is_periodic() ? half_x : half_y;
   if (reference > 0.0 && half > reference)
-    throw KeyError(
-        "grid.reference",
-        fmt::format("grid.reference = {:.4g} m{} is less than the half-width of the contact, about {:.4g} m, "
+    throw PlanError("`Domain::reference` = {:.4g} m{} is less than the half-width of the contact, about {:.4g} m, "
                     "and at twice that distance the approach no longer grows with the load; allowed: a "
                     "reference of at least that half-width",
-                    reference, domain.reference > 0.0 ? "" : ", the default,", half));
+                    reference, domain.reference > 0.0 ? "" : ", the default,", half);
 }
 
 namespace

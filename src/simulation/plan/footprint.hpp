@@ -34,7 +34,7 @@ struct Footprint
 };
 
 /// @param friction  coefficient of sliding surfaces, used for first yield.
-/// @throws InputError with reason_against_contact; KeyError: see require_within_reference.
+/// @throws InputError with reason_against_contact; PlanError: see require_within_reference.
 [[nodiscard]] Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const contact::Drive& drive,
                                   const Domain& domain, double friction = 0.0);
 
@@ -45,7 +45,7 @@ struct Footprint
 /// With one periodic axis the displacement is zero at the reference distance. When the half-width of the contact reaches twice
 /// this distance, the approach no longer grows with the load, and the operator is not positive definite any more. Half of that
 /// half-width is allowed.
-/// @throws KeyError
+/// @throws PlanError
 void require_within_reference(double half_x, double half_y, const ShapedBody& lower, const ShapedBody& upper,
                               const Domain& domain);
 

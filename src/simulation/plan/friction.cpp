@@ -11,17 +11,17 @@ void require_friction(const Numerics& numerics, const ShapedBody& lower, const S
                       const std::string& reason)
 {
   const auto& [coefficient, limit, coupling] = numerics.friction;
-  const std::string given = fmt::format("interface.friction = {:g}", coefficient);
+  const std::string given = fmt::format("`Friction::coefficient` = {:g}", coefficient);
   if (!(coefficient >= 0.0 && std::isfinite(coefficient)))
-    throw KeyError("interface.friction", given + "; allowed: number >= 0");
+    throw PlanError("{}; allowed: number >= 0", given);
   if (limit && !(*limit > 0.0))
-    throw KeyError("interface.shear_limit", fmt::format("interface.shear_limit = {:g} Pa; allowed: > 0", *limit));
+    throw PlanError("`Friction::shear_limit` = {:g} Pa; allowed: > 0", *limit);
   if (coefficient == 0.0)
     return;
   if (!reason.empty())
-    throw KeyError("interface.friction", given + ": " + reason);
+    throw PlanError("{}: {}", given, reason);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
-    throw KeyError("interface.friction", given + " between two rigid bodies; allowed: one that deforms");
+    throw PlanError("{} between two rigid bodies; allowed: one that deforms", given);
 }
 
 double force_ratio(double F_X, double F_n, const Plan& plan)

@@ -10,7 +10,7 @@ namespace brinell::simulation
 
 /// Checks that friction is possible: surfaces must slide, and at least one body must deform.
 /// @param reason  why the surfaces do not slide; empty if they do
-/// @throws KeyError
+/// @throws PlanError
 void require_friction(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                       const std::string& reason);
 

@@ -42,9 +42,9 @@ void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>
       continue;
     const double cells = periods_cells(*axis, *cell);
     if (spacing_given && axis->cells == 0 && std::abs(cells - std::round(cells)) > 1e-6 * cells)
-      throw KeyError("grid.size", fmt::format("grid.size = {:g} m along {} is {:.6g} cells of grid.spacing = {:g} m; "
-                                              "allowed: a whole number of cells",
-                                              axis->size, name, cells, *cell));
+      throw PlanError("`Domain::size` = {:g} m along {} is {:.6g} cells of `Numerics::spacing` = {:g} m; "
+                      "allowed: a whole number of cells",
+                      axis->size, name, cells, *cell);
     *cell = axis->size / std::max(1.0, std::round(cells));
   }
 }
@@ -86,12 +86,12 @@ void require_ends_at_cells(const Domain& domain, double length, double dy)
 std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect)
 {
   if (!(numerics.resolution > 0.0))
-    throw KeyError("grid.resolution", fmt::format("grid.resolution = {:g}; allowed: > 0", numerics.resolution));
+    throw PlanError("`Numerics::resolution` = {:g}; allowed: > 0", numerics.resolution);
   if (!(numerics.extent > 0.0))
-    throw KeyError("grid.extent", fmt::format("grid.extent = {:g}; allowed: > 0", numerics.extent));
+    throw PlanError("`Numerics::extent` = {:g}; allowed: > 0", numerics.extent);
   if (numerics.spacing &&
       !std::all_of(numerics.spacing->begin(), numerics.spacing->end(), [](double d) { return d > 0.0; }))
-    throw KeyError("grid.spacing", "grid.spacing must be three lengths > 0");
+    throw PlanError("`Numerics::spacing` must be three lengths > 0");
   const double dx = contact.half_x / numerics.resolution;
   double dy = aspect * dx * std::clamp(contact.half_y / contact.half_x, 0.25, 4.0);
   if (contact.straight_y) // the length is a whole number of cells, with one cell in the middle
@@ -163,11 +163,11 @@ int grown_by_heat(int rows)
   return 2 * static_cast<int>(std::ceil(rows / 12.0)) + rows;
 }
 
-int step_count(double steps, const std::string& key)
+int step_count(double steps, const std::string& member)
 {
   constexpr double most = 1e9;
   if (!(steps >= 1.0 && steps <= most))
-    throw KeyError(key, fmt::format("{} makes {:.1e} steps; allowed: from 1 to {:.0e}", key, steps, most));
+    throw PlanError("{} makes {:.1e} steps; allowed: from 1 to {:.0e}", member, steps, most);
   return static_cast<int>(steps);
 }
 

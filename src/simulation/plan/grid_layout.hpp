@@ -17,7 +17,7 @@ struct ContactSize
 /// Cell sizes dx, dy, dz [m] from the size of the contact, unless they are given. Along a periodic axis the period is a whole
 /// number of cells.
 /// @param aspect  dy over dx for a round contact.
-/// @throws GridError; KeyError if a period is not a whole number of given cells
+/// @throws GridError; PlanError if a period is not a whole number of given cells
 [[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
 
 /// Half-lengths around the middle of each grid, and depth, that the grids have to cover [m].
@@ -44,7 +44,7 @@ void lay_out(const std::array<double, 3>& cells, const Extents& extents, const D
 [[nodiscard]] int grown_by_heat(int rows);
 
 /// Converts a number of steps to an integer.
-/// @throws KeyError of the key if the number is far too large
-[[nodiscard]] int step_count(double steps, const std::string& key);
+/// @throws PlanError of the key if the number is far too large
+[[nodiscard]] int step_count(double steps, const std::string& member);
 
 } // namespace brinell::simulation

@@ -15,7 +15,7 @@ namespace
 void require_share(const char* key, double share)
 {
   if (!(share >= 0.0 && share <= 1.0))
-    throw KeyError(key, fmt::format("{} = {:g}; allowed: from 0 to 1", key, share));
+    throw PlanError("{} = {:g}; allowed: from 0 to 1", key, share);
 }
 
 /// Checks that the bulk temperature of a body is below its melting temperature.
@@ -23,10 +23,8 @@ void require_solid(const char* name, const constitutive::Material& material)
 {
   const auto melting = material.softening ? constitutive::melting_temperature(*material.softening) : std::nullopt;
   if (melting && material.temperature >= *melting)
-    throw KeyError(fmt::format("{}.material.thermal.temperature", name),
-                   fmt::format("{}.material.thermal.temperature = {:g} degC, but by its softening law the body melts "
-                               "at {:g} degC; allowed: below that",
-                               name, material.temperature, *melting));
+    throw PlanError("{} = {:g} degC, but by its softening law the body melts at {:g} degC; allowed: below that",
+                    member_of(name, "material.temperature"), material.temperature, *melting);
 }
 
 bool swells(const constitutive::Material& material)
@@ -41,20 +39,20 @@ void require_two_sides(const Numerics& numerics, const constitutive::Material& l
   const bool is_shared = numerics.heat.partition || numerics.heat.conductance;
   if (!is_shared || (lower.thermal && upper.thermal))
     return;
-  const char* key = numerics.heat.partition ? "thermal.partition" : "thermal.conductance";
-  throw KeyError(key, fmt::format("{} = {:g}, but the {} body has no thermal constants and takes no heat: the other "
-                                  "body takes all of it; allowed: no such key, or thermal constants of both bodies",
-                                  key, numerics.heat.partition ? *numerics.heat.partition : *numerics.heat.conductance,
-                                  lower.thermal ? "upper" : "lower"));
+  const char* key = numerics.heat.partition ? "`HeatSettings::partition`" : "`HeatSettings::conductance`";
+  throw PlanError("{} = {:g}, but the {} body has no thermal constants and takes no heat: the other "
+                  "body takes all of it; allowed: no such key, or thermal constants of both bodies",
+                  key, numerics.heat.partition ? *numerics.heat.partition : *numerics.heat.conductance,
+                  lower.thermal ? "upper" : "lower");
 }
 
 /// Checks that a number is given, finite and above 0.
 void require_positive(const char* key, const std::optional<double>& value, const char* unit)
 {
   if (!value)
-    throw KeyError(key, fmt::format("{} is missing; allowed: a number > 0, in {}", key, unit));
+    throw PlanError("{} is missing; allowed: a number > 0, in {}", key, unit);
   if (!(*value > 0.0 && std::isfinite(*value)))
-    throw KeyError(key, fmt::format("{} = {:g} {}; allowed: > 0", key, *value, unit));
+    throw PlanError("{} = {:g} {}; allowed: > 0", key, *value, unit);
 }
 
 /// Checks shape and strength of a heat source, and that there is a body to heat.
@@ -65,27 +63,25 @@ void require_source(const Numerics& numerics, const ShapedBody& lower, const Sha
   if (!source.exists())
     return;
   if (source.shape == Shape::disc)
-    require_positive("thermal.source.radius", source.radius, "m");
+    require_positive("`HeatSource::radius`", source.radius, "m");
   if (source.shape == Shape::rectangle)
-    require_positive("thermal.source.length", source.length, "m");
+    require_positive("`HeatSource::length`", source.length, "m");
   if (source.shape == Shape::rectangle && (source.width || !numerics.domain.y.is_periodic()))
-    require_positive("thermal.source.width", source.width, "m");
+    require_positive("`HeatSource::width`", source.width, "m");
   if (!std::isfinite(source.offset))
-    throw KeyError("thermal.source.offset", "thermal.source.offset is not finite; allowed: a length");
+    throw PlanError("`HeatSource::offset` is not finite; allowed: a length");
   if (source.power && source.flux)
-    throw KeyError("thermal.source.flux", "thermal.source.flux and thermal.source.power; allowed: one of them");
+    throw PlanError("`HeatSource::flux` and `HeatSource::power`; allowed: one of them");
   if (source.is_on_body() && source.flux)
-    require_positive("thermal.source.flux", source.flux, "W/m^2");
+    require_positive("`HeatSource::flux`", source.flux, "W/m^2");
   else
-    require_positive("thermal.source.power", source.power, "W");
+    require_positive("`HeatSource::power`", source.power, "W");
   const bool has_body = source.is_on_body() ? (source.side() == 0 ? lower : upper).material.thermal.has_value()
                                             : lower.material.thermal || upper.material.thermal;
   const char* name = source.is_on_body() && source.side() == 1 ? "upper" : "lower";
   if (!has_body)
-    throw KeyError(fmt::format("{}.material.thermal.conductivity", name),
-                   fmt::format("{}.material.thermal is missing: thermal.source heats this body; allowed: its thermal "
-                               "constants",
-                               name));
+    throw PlanError("{} is missing: `HeatSettings::source` heats this body; allowed: its thermal constants",
+                    member_of(name, "material.thermal"));
 }
 
 /// Checks that there is a steady state, and that its displacement is defined.
@@ -93,10 +89,7 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
                     const HeatedMotion& motion)
 {
   const auto refuse = [](const std::string& reason, const std::string& allowed)
-  {
-    throw KeyError("thermal.regime",
-                   fmt::format("thermal.regime = \"steady\", but {}; allowed: {}, or \"transient\"", reason, allowed));
-  };
+  { throw PlanError("`HeatSettings::regime` = \"steady\", but {}; allowed: {}, or \"transient\"", reason, allowed); };
   if (motion.sticks)
     refuse(
         "in this regime the thermal displacement along the surfaces is not computed, on which their slip depends where "
@@ -110,13 +103,12 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
       refuse(fmt::format("this regime cannot compute the heat of the plastic work of the {} body", name),
-             "thermal.heat_of_plastic_work = 0");
+             "`HeatSettings::of_plastic_work` = 0");
   if (motion.upper_rests && swells(upper.material) && numerics.heat.displacement && !numerics.heat.reference)
-    throw KeyError("thermal.reference",
-                   "thermal.reference is missing: the upper body rests under its heat flux, and the thermal "
-                   "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
-                   "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
-                   "zero, such as the radius of the body; or thermal.displacement = false");
+    throw PlanError("`HeatSettings::reference` is missing: the upper body rests under its heat flux, and the thermal "
+                    "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
+                    "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
+                    "zero, such as the radius of the body; or `HeatSettings::displacement` = false");
 }
 
 } // namespace
@@ -131,39 +123,34 @@ void require_heat(const Numerics& numerics, const ShapedBody& lower, const Shape
                   const HeatedMotion& motion)
 {
   const std::optional<double>& speed = motion.speed;
-  const std::string& speed_key = motion.speed_key;
-  require_share("interface.heat_fraction", numerics.heat.fraction);
-  require_share("thermal.heat_of_plastic_work", numerics.heat.of_plastic_work);
+  const std::string& speed_name = motion.speed_name;
+  require_share("`HeatSettings::fraction`", numerics.heat.fraction);
+  require_share("`HeatSettings::of_plastic_work`", numerics.heat.of_plastic_work);
   if (numerics.heat.partition)
-    require_share("thermal.partition", *numerics.heat.partition);
+    require_share("`HeatSettings::partition`", *numerics.heat.partition);
   if (numerics.heat.conductance && !(*numerics.heat.conductance >= 0.0 && std::isfinite(*numerics.heat.conductance)))
-    throw KeyError("thermal.conductance", fmt::format("thermal.conductance = {:g} W/(m^2 K); allowed: >= 0, or none",
-                                                      *numerics.heat.conductance));
+    throw PlanError("`HeatSettings::conductance` = {:g} W/(m^2 K); allowed: >= 0, or none", *numerics.heat.conductance);
   if (numerics.heat.reference && !(*numerics.heat.reference > 0.0 && std::isfinite(*numerics.heat.reference)))
-    throw KeyError("thermal.reference",
-                   fmt::format("thermal.reference = {:g} m; allowed: > 0, or none", *numerics.heat.reference));
+    throw PlanError("`HeatSettings::reference` = {:g} m; allowed: > 0, or none", *numerics.heat.reference);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     require_solid(name, body->material);
   if (speed && !(*speed > 0.0 && std::isfinite(*speed)))
-    throw KeyError(speed_key, fmt::format("{} = {:g} {}; allowed: > 0", speed_key, *speed, motion.unit));
+    throw PlanError("{} = {:g} {}; allowed: > 0", speed_name, *speed, motion.unit);
   require_source(numerics, lower, upper);
   if (!is_heated(numerics, lower, upper))
     return;
   if (!speed)
-    throw KeyError(speed_key, fmt::format("{} is missing: with {} and the thermal constants of a body the heat "
-                                          "depends on it; allowed: a {} > 0, as \"1 {}\"; or no thermal constants",
-                                          speed_key, numerics.heat.source.exists() ? "a heat source" : "friction",
-                                          motion.name, motion.unit));
+    throw PlanError("{} is missing: with {} and the thermal constants of a body the heat "
+                    "depends on it; allowed: a {} > 0, as \"1 {}\"; or no thermal constants",
+                    speed_name, numerics.heat.source.exists() ? "a heat source" : "friction", motion.name, motion.unit);
   if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
     require_steady(numerics, lower, upper, motion);
   require_two_sides(numerics, lower.material, upper.material);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!body->material.thermal && !body->material.elastic.is_rigid())
-      throw KeyError(
-          fmt::format("{}.material.thermal.conductivity", name),
-          fmt::format("{}.material.thermal is missing, but the other body has thermal constants; allowed: thermal "
-                      "constants of both bodies, of none, or a rigid body, which without them takes no heat",
-                      name));
+      throw PlanError("{} is missing, but the other body has thermal constants; allowed: thermal constants of both "
+                      "bodies, of none, or a rigid body, which without them takes no heat",
+                      member_of(name, "material.thermal"));
 }
 
 void require_below_melting(const std::string& where, const HeatedRecord& step, const constitutive::Material& lower,
@@ -176,8 +163,8 @@ void require_below_melting(const std::string& where, const HeatedRecord& step, c
     if (melting && temperature >= *melting)
       throw InputError(
           fmt::format("{}: the {} surface reaches {:.0f} degC and melts at {:.0f} degC, where the run is to "
-                      "stop (thermal.at_melting); allowed: less speed, load or friction, or "
-                      "thermal.at_melting = \"go_on\". All earlier steps are kept",
+                      "stop (`HeatSettings::at_melting`); allowed: less speed, load or friction, or "
+                      "`HeatSettings::at_melting` = \"go_on\". All earlier steps are kept",
                       where, name, temperature, *melting));
   }
 }
@@ -188,22 +175,23 @@ void require_source_fits(const Numerics& numerics, const SurfaceGrid& contact)
   if (!source.is_on_body())
     return;
   const bool is_disc = source.shape == elastoplastic::HeatSource::Shape::disc;
-  const char* size = is_disc ? "thermal.source.radius" : "thermal.source.length";
+  const char* size = is_disc ? "`HeatSource::radius`" : "`HeatSource::length`";
   if (is_plane(contact) && (is_disc || source.width))
-    throw KeyError("thermal.source.shape",
-                   "thermal.source: in plane strain nothing varies along y; allowed: a rectangle without width");
+    throw PlanError::at(
+        "`HeatSource::shape`",
+        "`HeatSettings::source`: in plane strain nothing varies along y; allowed: a rectangle without width");
   constexpr double rounding = 1.0 + 1e-9;
   const elastoplastic::SourceReach most = elastoplastic::reach(source);
   if (const double half = 0.5 * contact.nx * contact.dx; most.x > half * rounding)
-    throw KeyError(size,
-                   fmt::format("thermal.source reaches {:g} m from the middle of the contact along x; allowed: up "
-                               "to {:g} m, half of the {}",
-                               most.x, half, contact.is_periodic_x() ? "period" : "contact grid"));
+    throw PlanError::at(size,
+                        "`HeatSettings::source` reaches {:g} m from the middle of the contact along x; allowed: up to "
+                        "{:g} m, half of the {}",
+                        most.x, half, contact.is_periodic_x() ? "period" : "contact grid");
   if (const double half = 0.5 * contact.ny * contact.dy; most.y > half * rounding)
-    throw KeyError(is_disc ? size : "thermal.source.width",
-                   fmt::format("thermal.source reaches {:g} m from the middle of the contact along y; allowed: up to "
-                               "{:g} m, half of the {}",
-                               most.y, half, contact.is_periodic_y() ? "period" : "contact grid"));
+    throw PlanError::at(is_disc ? size : "`HeatSource::width`",
+                        "`HeatSettings::source` reaches {:g} m from the middle of the contact along y; allowed: up to "
+                        "{:g} m, half of the {}",
+                        most.y, half, contact.is_periodic_y() ? "period" : "contact grid");
 }
 
 bool shares_alike(const Numerics& numerics)

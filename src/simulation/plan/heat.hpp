@@ -16,7 +16,7 @@ namespace brinell::simulation
 struct HeatedMotion
 {
   std::optional<double> speed; ///< speed or frequency, see `unit`
-  std::string speed_key;
+  std::string speed_name;      ///< as messages give it: "`RollingCase::speed`"
   bool upper_rests =
       false;           ///< the upper body does not move relative to the contact: its heat always enters at one place
   bool sticks = false; ///< the surfaces may stick in places
@@ -25,12 +25,12 @@ struct HeatedMotion
 };
 
 /// Checks the input of heat: it needs a speed or a frequency, and thermal constants of every body that deforms.
-/// @throws KeyError
+/// @throws PlanError
 void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
                   const HeatedMotion& motion);
 
 /// Checks that a heat source on one body fits on the contact grid of a plan, and into its periods.
-/// @throws KeyError
+/// @throws PlanError
 void require_source_fits(const Numerics& numerics, const SurfaceGrid& contact);
 
 /// Checks that both surfaces have stayed below the melting temperatures of their softening.

@@ -165,9 +165,11 @@ Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modu
   std::transform(h.begin(), h.end(), other.begin(), h.begin(), std::plus<>());
   const Roughness together = roughness_of(h, grid);
   if (!(together.height > rounding * apart))
-    throw KeyError("upper.texture",
-                   "lower.texture and upper.texture cancel: on the cells of the grid the distance of the bodies is the "
-                   "same everywhere in the period; allowed: textures that differ, with waves that the cells resolve");
+    throw PlanError::at(
+        member_of("upper", "texture"),
+        "{} and {} cancel: on the cells of the grid the distance of the bodies is the same everywhere in "
+        "the period; allowed: textures that differ, with waves that the cells resolve",
+        member_of("lower", "texture"), member_of("upper", "texture"));
   const double length = together.wavelength();
   const double slope = std::numbers::sqrt2 * together.slope; // largest slope of a wave with the same rms values
   Footprint f;

@@ -16,7 +16,7 @@ void add_textures(const ShapedBody& lower, const ShapedBody& upper, const contac
 /// Footprint of textures on flats, over a period, by an equivalent single wave.
 /// @param modulus  E' of the pair [Pa]
 /// @param yield_pressure  peak pressure at which a point contact first yields [Pa]
-/// @throws KeyError if the textures leave the distance of the bodies the same everywhere
+/// @throws PlanError if the textures leave the distance of the bodies the same everywhere
 [[nodiscard]] Footprint of_flats(const ShapedBody& lower, const ShapedBody& upper, double modulus,
                                  double yield_pressure, const contact::Drive& drive, const Domain& domain);
 

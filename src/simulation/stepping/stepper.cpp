@@ -323,14 +323,15 @@ void Stepper::descend(const Target& target)
       break;
   }
   if (report.overloaded)
-    throw InputError(
-        fmt::format("{}: friction cannot hold the surfaces against the force along them: friction times pressure, and "
-                    "nowhere more than the surfaces or interface.shear_limit carry, add up to less; allowed: a smaller "
-                    "force, or a displacement in its place. All earlier steps are kept",
-                    where_));
+    throw InputError(fmt::format(
+        "{}: friction cannot hold the surfaces against the force along them: friction times pressure, and "
+        "nowhere more than the surfaces or `Friction::shear_limit` carry, add up to less; allowed: a smaller "
+        "force, or a displacement in its place. All earlier steps are kept",
+        where_));
   throw ConvergenceError(fmt::format(
       "{}: no convergence after {} evaluations; yield violation {:.2e} S_y (allowed {:.2e}), change of displacement "
-      "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger solver.max_evaluations "
+      "{:.2e} m, contact gap {:.2e} m. All earlier steps are kept. Shorter steps or a larger "
+      "`Settings::max_evaluations` "
       "may help{}",
       where_, evaluations_, report.yield_error, s.yield_tolerance, report.displacement_error, report.gap_error,
       advice_on_free_flow()));
@@ -343,7 +344,7 @@ std::string Stepper::advice_on_free_flow() const
   if (hardens || setup_.sliding.friction.coefficient == 0.0)
     return "";
   return ". A surface that does not harden flows without bound where friction brings the shear to its strength: "
-         "hardening, or an interface.shear_limit below its yield stress / sqrt(3), gives it a definite state";
+         "hardening, or an `Friction::shear_limit` below its yield stress / sqrt(3), gives it a definite state";
 }
 
 void Stepper::grow(const elastoplastic::Outgrown& outgrown)
@@ -370,7 +371,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
     throw GridError(
         fmt::format("{}: contact or plastic zone has reached an edge of its grid, and larger grids would need "
                     "{:.3g} GB; available are {:.3g} GB. All steps so far are kept. Larger cells "
-                    "(grid.resolution, grid.spacing) need less",
+                    "(`Numerics::resolution`, `Numerics::spacing`) need less",
                     where_, 1e-9 * larger.memory_bytes, 1e-9 * setup_.watch.available_memory));
   announce(larger);
   elastoplastic::History history = std::move(*pair_).take_history();

@@ -204,7 +204,7 @@ TEST(CellsInPeriods, EndsOfACylinderAreThoseOfCells)
 TEST(PeriodicApproach, EndsAtTheMeanDistanceOfTheSurfaces)
 {
   const auto refused = [](const IndentationCase& c)
-  { return reason_against_approach(c.lower, c.upper, c.sequence.front().value, c.domain, "indentation").has_value(); };
+  { return reason_against_approach(c.lower, c.upper, c.sequence.front().value, c.domain, "IndentationCase").has_value(); };
   EXPECT_TRUE(refused(flats(approach(1e-9)))) << "waves touch before their mean planes do";
   EXPECT_THROW(static_cast<void>(plan(flats(approach(1e-9)))), InputError);
   // Flats that touch all around a dent: full contact at its mean depth.
@@ -243,7 +243,7 @@ TEST(PeriodicApproach, CountsShapesWhereTheCellsAre)
   const double ball = cell * cell * mean_square / (2.0 * R);
   c.lower.texture = {};
   const auto refused = [&](double share)
-  { return reason_against_approach(c.lower, c.upper, share * ball, c.domain, "indentation").has_value(); };
+  { return reason_against_approach(c.lower, c.upper, share * ball, c.domain, "IndentationCase").has_value(); };
   EXPECT_FALSE(refused(1.0 - 1e-6));
   EXPECT_TRUE(refused(1.0 + 1e-6));
   // Mean displacements are zero, so a run with an imposed approach keeps the mean distance less that approach as mean gap.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/io/member_keys.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/reference/sliding_contact.hpp"
 #include "brinell/simulation/first_yield.hpp"
@@ -126,7 +127,7 @@ TEST(FirstYield, OfCylindersInPlaneStrainIsThatOfTheirLineContact)
 TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)
 {
   const auto reason = [](const TuggingCase& t)
-  { return reason_against_first_yield(t.lower, t.upper, t.domain).value_or("none"); };
+  { return io::with_keys(reason_against_first_yield(t.lower, t.upper, t.domain).value_or("none")); };
   TuggingCase t = cylinders();
   EXPECT_EQ(reason(t), "none");
   t.domain.reference = 1e-3; // a_c is 22 mm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/io/member_keys.hpp"
 #include "brinell/simulation/tugging.hpp"
 
 #include <string>
@@ -30,7 +31,7 @@ inline std::string refusal(const TuggingCase& tugging)
   }
   catch (const InputError& error)
   {
-    return error.what();
+    return io::with_keys(error.what());
   }
   return "";
 }
