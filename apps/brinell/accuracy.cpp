@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/feasibility.hpp"
+#include "brinell/quality/quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +38,9 @@ std::string text_of(const fs::path& file)
 /// Relative cell size of the first run of a series.
 double first_cells(const io::Case& c, const io::ScenarioPlan& plan)
 {
-  const simulation::Resolution resolution =
+  const quality::Resolution resolution =
       std::visit([&]<typename ScenarioCase>(const ScenarioCase& scenario)
-                 { return simulation::expected_quality(scenario, std::get<typename ScenarioCase::Plan>(plan)); },
+                 { return quality::expected(scenario, std::get<typename ScenarioCase::Plan>(plan)); },
                  c.scenario)
           .resolution;
   const double cells = resolution.cells_per_wave.value_or(resolution.cells);
@@ -227,7 +228,7 @@ void judge(const io::Case& c, const LevelsBefore& before, LevelReport& report, i
         {"accuracy_missed",
          fmt::format(
              "the requested accuracy of {:.3g} % is not reached: the largest error of the key numbers is {}, {}",
-             100.0 * report.accuracy->asked, simulation::percent_text(report.accuracy->error),
+             100.0 * report.accuracy->asked, quality::percent_text(report.accuracy->error),
              io::accuracy_advice(c, *report.accuracy))});
   io::take_measured_errors(*report.accuracy, info.quality.resolution);
   info.accuracy = report.accuracy;
@@ -243,19 +244,19 @@ std::string accuracy_text(const io::Accuracy& a)
 {
   std::string text =
       fmt::format("accuracy {:.3g} % {}: {} from {} runs\n{:<28} {:>13} {:>8} {:>6} {:>13}   {:>13} .. {:<13}\n",
-                  100.0 * a.asked, a.reached ? "reached" : "not reached", simulation::percent_text(a.error),
+                  100.0 * a.asked, a.reached ? "reached" : "not reached", quality::percent_text(a.error),
                   a.levels.size(), "number", "value", "error", "order", "extrapolated", "low", "high");
   for (const std::string& name : a.key_numbers)
   {
-    const simulation::Convergence& n = a.numbers.at(name);
+    const quality::Convergence& n = a.numbers.at(name);
     const auto number = [](double x, const char* form)
     { return std::isnan(x) ? "-" : fmt::format(fmt::runtime(form), x); };
     text += fmt::format("{:<28} {:>13.6e} {:>8} {:>6} {:>13}   {:>13.6e} .. {:<13.6e}\n", name, n.value,
-                        simulation::percent_text(n.relative_error), number(n.order, "{:.2g}"),
+                        quality::percent_text(n.relative_error), number(n.order, "{:.2g}"),
                         number(n.extrapolated, "{:.6e}"), n.low, n.high);
   }
   for (const std::string& name : a.key_numbers)
-    if (const simulation::Convergence& n = a.numbers.at(name); n.low < 0.0 && n.high > 0.0)
+    if (const quality::Convergence& n = a.numbers.at(name); n.low < 0.0 && n.high > 0.0)
       text += fmt::format(
           "{}: the interval contains zero, so that these cells tell no more than its largest size, {:.3g}\n", name,
           std::max(-n.low, n.high));

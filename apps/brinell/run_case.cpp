@@ -8,6 +8,7 @@
 #include "brinell/io/scenario_text.hpp"
 #include "brinell/io/snapshot_choice.hpp"
 #include "brinell/io/summary_json.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
 
 #include <chrono>
@@ -67,7 +68,7 @@ std::string report_text(const io::Case& c, const io::ScenarioPlan& plan, const S
   if (summary.split_increments > 0)
     text += fmt::format("{} increments had to be split\n", summary.split_increments);
   text += fmt::format("{}energy balance error {:.2e}\n{}\n", io::results_text(c, summary), summary.energy_balance_error,
-                      simulation::resolution_text(info.quality.resolution));
+                      quality::resolution_text(info.quality.resolution));
   if (const std::string left_out = io::left_out_text(c, plan); !left_out.empty())
     text += left_out + "\n";
   return info.accuracy ? text + accuracy_text(*info.accuracy) : text;
@@ -158,7 +159,7 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::
   results.add_final(run->fields(), io::columns(summary.last));
   run.reset(); // frees its memory
   io::RunInfo info{
-      .wall_time = seconds, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
+      .wall_time = seconds, .threads = omp_get_max_threads(), .quality = quality::judged(scenario, plan, summary)};
   info.quality.warnings.insert(info.quality.warnings.begin(), c.warnings.begin(), c.warnings.end());
   for (io::Warning& warning : io::result_warnings(c, any_plan))
     info.quality.warnings.push_back(std::move(warning));

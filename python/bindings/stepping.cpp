@@ -8,6 +8,7 @@
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/history_csv.hpp"
 #include "brinell/io/summary_json.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
 
 #include <nanobind/stl/string.h>
@@ -119,7 +120,7 @@ private:
     const auto plan = simulation::plan(scenario);
     const auto summary = run.totals();
     io::RunInfo info{
-        .wall_time = 0.0, .threads = omp_get_max_threads(), .quality = simulation::quality(scenario, plan, summary)};
+        .wall_time = 0.0, .threads = omp_get_max_threads(), .quality = quality::judged(scenario, plan, summary)};
     info.quality.warnings.insert(info.quality.warnings.begin(), case_.warnings.begin(), case_.warnings.end());
     return io::summary_text(case_, plan, summary, info);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
 #include "brinell/io/result_directory.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
 #include "record.hpp"
 
@@ -24,7 +25,7 @@ io::Level run_with(const io::Case& given, double cells)
       {
         const auto summary = simulation::run(scenario);
         const auto plan = simulation::plan(scenario);
-        const io::RunInfo info{.quality = simulation::quality(scenario, plan, summary)};
+        const io::RunInfo info{.quality = quality::judged(scenario, plan, summary)};
         return io::level_of(c, plan, summary, info, cells);
       },
       c.scenario);
@@ -156,7 +157,7 @@ void expect_the_finer_run_inside(const std::string& name, const std::string& tex
   EXPECT_GE(accuracy.key_numbers.size(), 3u);
   for (const std::string& key : accuracy.key_numbers)
   {
-    const simulation::Convergence& n = accuracy.numbers.at(key);
+    const quality::Convergence& n = accuracy.numbers.at(key);
     test::expect_within(name + ": " + key, finer.numbers.at(key), n.low, n.high,
                         "interval of three coarser runs, Grid Convergence Index (Roache 1994)");
   }

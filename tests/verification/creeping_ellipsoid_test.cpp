@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/quality/quality.hpp"
 #include "creeping_cylinder.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
@@ -100,7 +101,7 @@ TEST(RollingCreepage, TheMomentOfASpinIsWithinItsExpectedError)
     const double exact = row.C33 * (200e9 / 2.5) * area * area * c.creepage->spin;
     const double error = at_the_end(c, computed(c)).M_z / exact - 1.0;
     double stated = 0.0;
-    for (const simulation::ExpectedError& e : simulation::expected_quality(c, p).resolution.expected_errors)
+    for (const quality::ExpectedError& e : quality::expected(c, p).resolution.expected_errors)
       if (e.quantity == "spin moment")
         stated = e.relative;
     std::printf("  a/b %.2f, %.0f cells: error of C33 %.3f, expected %.3f\n", row.length, row.cells, error, stated);

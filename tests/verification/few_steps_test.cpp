@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of few steps, against the expected errors that such a run states: docs/verification/accuracy.md (few steps).
+#include "brinell/quality/quality.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
 
@@ -17,8 +18,7 @@ namespace
 template <typename Case>
 double stated_error(const Case& c, const typename Case::Summary& summary, const std::string& quantity)
 {
-  for (const simulation::ExpectedError& e :
-       simulation::quality(c, simulation::plan(c), summary).resolution.expected_errors)
+  for (const quality::ExpectedError& e : quality::judged(c, simulation::plan(c), summary).resolution.expected_errors)
     if (e.quantity == quantity)
       return e.relative;
   return std::nan("");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/halfspace/heat_response.hpp"
+#include "brinell/quality/quality.hpp"
 #include "order.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
@@ -352,7 +353,7 @@ TEST(Heat, HotterBodiesYieldMoreAndMeltingIsTold)
     }
     const TuggingRun run = computed(t);
     plastic.push_back(run.summary.dissipation_lower);
-    const auto warnings = simulation::quality(t, simulation::plan(t), run.summary).warnings;
+    const auto warnings = quality::judged(t, simulation::plan(t), run.summary).warnings;
     EXPECT_EQ(std::any_of(warnings.begin(), warnings.end(), [](const auto& w) { return w.key == "melting"; }),
               melting < 200.0);
   }

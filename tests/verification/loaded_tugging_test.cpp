@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/quality/quality.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
@@ -81,7 +82,7 @@ TEST(LoadedTugging, NetEnergyIsWithinItsExpectedError)
   for (const double cells : {4.0, 6.0, 8.0})
   {
     const simulation::TuggingCase t = under_load(perfect_material(), 10.0, cells);
-    const auto errors = simulation::expected_quality(t, simulation::plan(t)).resolution.expected_errors;
+    const auto errors = quality::expected(t, simulation::plan(t)).resolution.expected_errors;
     const auto stated =
         std::find_if(errors.begin(), errors.end(), [](const auto& e) { return e.quantity == "net energy"; });
     ASSERT_NE(stated, errors.end());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
+#include "brinell/io/member_keys.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/fretting.hpp"
-#include "brinell/simulation/quality.hpp"
 #include "random_scenarios.hpp"
 #include "record.hpp"
 #include "scenario_runs.hpp"
@@ -69,7 +70,7 @@ struct Outcome
     catch (const InputError& error)
     {
       ++refused;
-      const std::string why = error.what();
+      const std::string why = io::with_keys(error.what());
       EXPECT_TRUE(why.find("friction cannot hold the surfaces") != std::string::npos ||
                   why.find("allowed: a larger grid.extent") != std::string::npos)
           << why;
@@ -102,7 +103,7 @@ struct Outcome
       EXPECT_TRUE(std::isfinite(r.F_n + r.max_pressure + r.energy_residual));
       EXPECT_GE(r.F_n, 0.0);
     }
-    const std::vector<simulation::Warning> warnings = simulation::quality(c, simulation::plan(c), s).warnings;
+    const std::vector<quality::Warning> warnings = quality::judged(c, simulation::plan(c), s).warnings;
     const auto warned = [&](const char* key)
     { return std::any_of(warnings.begin(), warnings.end(), [&](const auto& w) { return w.key == key; }); };
     EXPECT_EQ(warned("energy_balance"), !(std::abs(s.energy_balance_error) <= 0.02));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/quality/quality.hpp"
 #include "creeping_cylinder.hpp"
 #include "order.hpp"
 #include "record.hpp"
@@ -145,8 +146,8 @@ TEST(RollingCreepage, StickShareIsWithinItsExpectedError)
       const RollingCase c = balls.rolling(cells, {3.0 * share * balls.saturation(4.12), 0.0, 0.0}, 8.0);
       const RollingRun run = computed(c);
       sticks.push_back(run.summary.passes[0].stick_share);
-      for (const simulation::ExpectedError& e :
-           simulation::quality(c, simulation::plan(c), run.summary).resolution.expected_errors)
+      for (const quality::ExpectedError& e :
+           quality::judged(c, simulation::plan(c), run.summary).resolution.expected_errors)
         if (e.quantity == "stick share" && cells == 8.0)
           stated = e.relative;
     }

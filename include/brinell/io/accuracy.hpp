@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/io/case_file.hpp"
-#include "brinell/simulation/convergence.hpp"
+#include "brinell/quality/convergence.hpp"
 
 #include <map>
 #include <optional>
@@ -35,7 +35,7 @@ struct Accuracy
   double error = 0.0; ///< largest relative error of the key numbers
   std::vector<std::string> key_numbers;
   std::vector<Level> levels; ///< coarsest first
-  std::map<std::string, simulation::Convergence> numbers;
+  std::map<std::string, quality::Convergence> numbers;
 };
 
 /// A finished run of a series. Its numbers are the results in its summary: without input values, counts, errors, values that are
@@ -56,7 +56,7 @@ struct Accuracy
 
 /// Replaces the errors that are expected of a run by those that the series has measured, relative to the largest value of each
 /// quantity, as the expected ones are.
-void take_measured_errors(const Accuracy& accuracy, simulation::Resolution& resolution);
+void take_measured_errors(const Accuracy& accuracy, quality::Resolution& resolution);
 
 /// A clause for the warning: the key number with the largest error, and how to reduce it.
 [[nodiscard]] std::string accuracy_advice(const Case& c, const Accuracy& accuracy);

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/output_choice.hpp"
 #include "brinell/io/schema.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/scenarios.hpp"
 
@@ -49,7 +50,7 @@ private:
 using simulation::FirstYield;
 using simulation::YieldsFirst;
 
-using simulation::Warning;
+using quality::Warning;
 
 using Scenario = simulation::AnyCase;
 

@@ -4,6 +4,7 @@
 #include "brinell/foundation/archive.hpp"
 #include "brinell/io/accuracy.hpp"
 #include "brinell/io/history_csv.hpp"
+#include "brinell/quality/quality.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -18,7 +19,7 @@ struct RunInfo
 {
   double wall_time = 0.0; ///< [s]
   int threads = 1;
-  simulation::Quality quality{};      ///< with the warnings of the case
+  quality::Quality quality{};         ///< with the warnings of the case
   std::optional<Accuracy> accuracy{}; ///< of a series of runs with finer cells
 };
 

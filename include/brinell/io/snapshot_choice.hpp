@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/archive.hpp"
 #include "brinell/io/schema.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/scenarios.hpp"
 
 #include <optional>
@@ -26,7 +27,7 @@ private:
 };
 
 /// Warning about steps of `output.snapshots` that a finished run does not have.
-[[nodiscard]] std::optional<simulation::Warning> missing_steps(const SnapshotRule& rule, int last_step);
+[[nodiscard]] std::optional<quality::Warning> missing_steps(const SnapshotRule& rule, int last_step);
 
 /// Decides after each step whether its fields are to be stored. To be called once per step, in order.
 class SnapshotChoice

@@ -4,7 +4,6 @@
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/contact/tangential_contact.hpp"
 #include "brinell/simulation/columns.hpp"
-#include "brinell/simulation/quality.hpp"
 
 /// Fretting: the upper body is pressed on the lower one and oscillates along it with so small an amplitude that the surfaces
 /// stick in places.
@@ -85,10 +84,6 @@ struct FrettingSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] FrettingPlan plan(const FrettingCase& fretting);
-
-/// Warnings and expected errors of the result, before a run and after it.
-[[nodiscard]] Quality expected_quality(const FrettingCase& fretting, const FrettingPlan& plan);
-[[nodiscard]] Quality quality(const FrettingCase& fretting, const FrettingPlan& plan, const RunTotals& totals);
 
 template <>
 inline constexpr auto columns<FrettingRecord> = common::row<FrettingRecord>({

@@ -3,7 +3,6 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/simulation/columns.hpp"
-#include "brinell/simulation/quality.hpp"
 
 /// Indentation: the upper body is pressed into the lower one and lifted off again, at one place or at several.
 namespace brinell::simulation
@@ -95,10 +94,6 @@ struct IndentationSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] IndentationPlan plan(const IndentationCase& indentation);
-
-/// Warnings and expected errors of the result, before a run and after it.
-[[nodiscard]] Quality expected_quality(const IndentationCase& indentation, const IndentationPlan& plan);
-[[nodiscard]] Quality quality(const IndentationCase& indentation, const IndentationPlan& plan, const RunTotals& totals);
 
 template <>
 inline constexpr auto columns<IndentationRecord> = common::row<IndentationRecord>({

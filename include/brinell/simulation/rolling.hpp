@@ -3,7 +3,6 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/simulation/columns.hpp"
-#include "brinell/simulation/quality.hpp"
 
 /// The upper body, pressed on the lower one, rolls over it along x: pass after pass over the same track.
 namespace brinell::simulation
@@ -128,12 +127,6 @@ struct RollingSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] RollingPlan plan(const RollingCase& rolling);
-
-/// Warnings and expected errors of the result, before a run and after it.
-[[nodiscard]] Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan);
-[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals);
-/// Quality of the result, with warnings about the passes.
-[[nodiscard]] Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary);
 
 template <>
 inline constexpr auto columns<RollingRecord> = common::row<RollingRecord>({

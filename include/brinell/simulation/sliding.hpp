@@ -3,7 +3,6 @@
 
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/simulation/columns.hpp"
-#include "brinell/simulation/quality.hpp"
 
 /// Sliding: the upper body, pressed on the lower one, slides over it along x, in one stroke, in several, or to and fro. Both
 /// surfaces keep their plastic deformation.
@@ -106,12 +105,6 @@ struct SlidingSummary : RunTotals
 /// Grids, number of steps and memory of a case.
 /// @throws InputError
 [[nodiscard]] SlidingPlan plan(const SlidingCase& sliding);
-
-/// Warnings and expected errors of the result, before a run and after it.
-[[nodiscard]] Quality expected_quality(const SlidingCase& sliding, const SlidingPlan& plan);
-[[nodiscard]] Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const RunTotals& totals);
-/// Quality of the result, without an expected error of friction by ploughing that is nearly zero.
-[[nodiscard]] Quality quality(const SlidingCase& sliding, const SlidingPlan& plan, const SlidingSummary& summary);
 
 template <>
 inline constexpr auto columns<SlidingRecord> = common::row<SlidingRecord>({

@@ -3,7 +3,6 @@
 
 #include "brinell/simulation/columns.hpp"
 #include "brinell/simulation/kinematics.hpp"
-#include "brinell/simulation/quality.hpp"
 
 #include <optional>
 
@@ -121,10 +120,6 @@ struct TuggingSummary : RunTotals, TuggingPeaks
 /// Grids, number of steps and memory of a case.
 /// @throws InputError if the case cannot be computed (for example a grid of absurd size).
 [[nodiscard]] TuggingPlan plan(const TuggingCase& tugging);
-
-/// Warnings and expected errors of the result, before a run and after it.
-[[nodiscard]] Quality expected_quality(const TuggingCase& tugging, const TuggingPlan& plan);
-[[nodiscard]] Quality quality(const TuggingCase& tugging, const TuggingPlan& plan, const RunTotals& totals);
 
 template <>
 inline constexpr auto columns<TuggingRecord> = common::row<TuggingRecord>({

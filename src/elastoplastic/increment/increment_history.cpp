@@ -15,10 +15,10 @@ namespace
 {
 
 /// A texture belongs to the case, not to the history: a stored texture only serves to check that it is the same.
-void exchange_texture(Archive& archive, const std::string& name, const std::vector<double>& texture)
+void exchange_texture(Archive& archive, const char* body, const std::vector<double>& texture)
 {
   std::vector<double> stored = texture;
-  archive.list(name, stored);
+  archive.list(std::string(body) + ".texture", stored);
   const auto alike = [](double a, double b)
   { return std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)); }; // rounding
   if (!std::equal(stored.begin(), stored.end(), texture.begin(), texture.end(), alike))
@@ -32,8 +32,8 @@ void CoupledContact::exchange(Archive& archive)
   ContactParts& c = *parts_;
   for (Side& side : c.sides)
     archive(&side == &c.sides.front() ? "lower" : "upper", side.body);
-  exchange_texture(archive, "lower.texture", c.textures.lower);
-  exchange_texture(archive, "upper.texture", c.textures.upper);
+  exchange_texture(archive, "lower", c.textures.lower);
+  exchange_texture(archive, "upper", c.textures.upper);
   for (const auto& [name, place] : {std::pair{"lower", &c.placement.lower}, {"upper", &c.placement.upper}})
   {
     constexpr int max_columns = 1 << 28; // differences stay whole numbers

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/quality/quality.hpp"
 #include "case_reader.hpp"
 #include "io/scenarios/scenario_io.hpp"
 
@@ -234,12 +235,12 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
   const double rows =
       simulation::is_plane(plan.contact) ? plan.contact.dy : half_y; // in plane strain a row may have any length
   if (scenario.spacing)
-    if (const auto reason = simulation::reason_against_cells(*scenario.spacing, half_x, rows))
+    if (const auto reason = quality::reason_against_cells(*scenario.spacing, half_x, rows))
       reader.problems.add(c.grid_source, *reason);
   check_stride(reader, c, plan.contact);
   if constexpr (requires { scenario.shift; })
     if (scenario.shift)
-      if (const auto reason = simulation::reason_against_shift(*scenario.shift, half_x))
+      if (const auto reason = quality::reason_against_shift(*scenario.shift, half_x))
         reader.add(fmt::format("{}.shift", io.name), *reason);
 }
 

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/forecast.hpp"
+#include "brinell/quality/quality.hpp"
 #include "io/scenarios/scenario_io.hpp"
 #include "result_size.hpp"
 
@@ -101,7 +102,7 @@ std::string remark(std::string text)
 template <typename ScenarioCase, typename ScenarioPlanOf>
 std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
 {
-  return remark(simulation::resolution_text(simulation::expected_quality(c, plan).resolution));
+  return remark(quality::resolution_text(quality::expected(c, plan).resolution));
 }
 
 /// The plan; an error about the grid gets the key and place of the grid.
@@ -151,7 +152,7 @@ std::vector<Warning> expected_warnings(const Case& c, const ScenarioPlan& plan)
       [&](const auto& scenario)
       {
         using Plan = decltype(simulation::plan(scenario));
-        for (Warning& warning : simulation::expected_quality(scenario, std::get<Plan>(plan)).warnings)
+        for (Warning& warning : quality::expected(scenario, std::get<Plan>(plan)).warnings)
           warnings.push_back(std::move(warning));
       },
       c.scenario);

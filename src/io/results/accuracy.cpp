@@ -154,22 +154,21 @@ bool matches(std::string_view name, std::string_view pattern)
 
 /// Expected error of a number and its order, from the tables that also give the expected errors of every run; none
 /// without an entry.
-simulation::ExpectedError expected_error(const std::vector<simulation::ExpectedError>& errors, std::string_view name)
+quality::ExpectedError expected_error(const std::vector<quality::ExpectedError>& errors, std::string_view name)
 {
   const auto found =
       std::find_if(errors.begin(), errors.end(), [&](const auto& error) { return matches(name, error.name); });
-  return found == errors.end() ? simulation::ExpectedError{} : *found;
+  return found == errors.end() ? quality::ExpectedError{} : *found;
 }
 
 /// Expected errors of a run of the series: those that it has stated itself, which know the contact as it was, otherwise
 /// those before it.
-std::vector<simulation::ExpectedError> expected_errors(const Case& c, const Level& level)
+std::vector<quality::ExpectedError> expected_errors(const Case& c, const Level& level)
 {
-  auto errors = std::visit([](const auto& scenario)
-                           { return simulation::expected_quality(scenario, simulation::plan(scenario)); },
+  auto errors = std::visit([](const auto& scenario) { return quality::expected(scenario, simulation::plan(scenario)); },
                            with_cells(c, level.cells).scenario)
                     .resolution.expected_errors;
-  for (simulation::ExpectedError& error : errors)
+  for (quality::ExpectedError& error : errors)
     if (const auto stated = level.stated_errors.find(error.quantity); stated != level.stated_errors.end())
       error.relative = stated->second;
   return errors;
@@ -196,7 +195,7 @@ Case with_cells(const Case& c, double size)
   Case finer = c;
   try
   {
-    std::visit([size](auto& s) { simulation::scale_cells(s, s.lower.shape, s.upper.shape, size); }, finer.scenario);
+    std::visit([size](auto& s) { quality::scale_cells(s, s.lower.shape, s.upper.shape, size); }, finer.scenario);
   }
   catch (const GridError& error)
   {
@@ -223,9 +222,9 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
         values.push_back(found->second);
     if (values.size() != levels.size())
       continue;
-    const simulation::ExpectedError expected = expected_error(errors, name);
+    const quality::ExpectedError expected = expected_error(errors, name);
     accuracy.numbers[name] =
-        simulation::convergence(cells, values, scale_of_number(name, largest), expected.relative, expected.order);
+        quality::convergence(cells, values, scale_of_number(name, largest), expected.relative, expected.order);
   }
   accuracy.key_numbers = key_names(c.scenario, finest);
   std::erase_if(accuracy.key_numbers, [&](const std::string& name) { return !accuracy.numbers.contains(name); });
@@ -236,9 +235,9 @@ Accuracy accuracy_of(const Case& c, std::vector<Level> levels)
   return accuracy;
 }
 
-void take_measured_errors(const Accuracy& accuracy, simulation::Resolution& resolution)
+void take_measured_errors(const Accuracy& accuracy, quality::Resolution& resolution)
 {
-  for (simulation::ExpectedError& error : resolution.expected_errors)
+  for (quality::ExpectedError& error : resolution.expected_errors)
   {
     double size = 0.0, width = 0.0;
     for (const auto& [name, number] : accuracy.numbers)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/scenario_text.hpp"
+#include "brinell/quality/quality.hpp"
 
 #include "io/scenarios/scenario_io.hpp"
 
@@ -19,7 +20,7 @@ std::string friction_text(const simulation::RunTotals& s)
   std::string text = fmt::format("friction  {:>13.6e} J of heat", s.dissipation_friction);
   if (s.max_share_at_shear_limit > 0.0)
     text += fmt::format("; shear at the limit of the surface in up to {} of the contact",
-                        simulation::percent_text(s.max_share_at_shear_limit));
+                        quality::percent_text(s.max_share_at_shear_limit));
   return text + "\n";
 }
 

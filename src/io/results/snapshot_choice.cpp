@@ -52,16 +52,16 @@ void NearestToMiddle::exchange(Archive& archive)
   archive("is_stored", is_stored_);
 }
 
-std::optional<simulation::Warning> missing_steps(const SnapshotRule& rule, int last_step)
+std::optional<quality::Warning> missing_steps(const SnapshotRule& rule, int last_step)
 {
   if (rule.kind != SnapshotRule::Kind::listed)
     return std::nullopt;
   const std::vector<int> missing(std::upper_bound(rule.steps.begin(), rule.steps.end(), last_step), rule.steps.end());
   if (missing.empty())
     return std::nullopt;
-  return simulation::Warning{"missing_snapshot",
-                             fmt::format("output.snapshots asks for the fields of {} {}, but the last step is {}",
-                                         missing.size() == 1 ? "step" : "steps", fmt::join(missing, ", "), last_step)};
+  return quality::Warning{"missing_snapshot",
+                          fmt::format("output.snapshots asks for the fields of {} {}, but the last step is {}",
+                                      missing.size() == 1 ? "step" : "steps", fmt::join(missing, ", "), last_step)};
 }
 
 bool SnapshotChoice::operator()(const simulation::AnyCase& scenario, const simulation::AnyRecord& record)

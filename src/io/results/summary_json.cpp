@@ -2,6 +2,7 @@
 #include "brinell/io/summary_json.hpp"
 
 #include "brinell/io/versions.hpp"
+#include "brinell/quality/quality.hpp"
 #include "foundation/nan.hpp"
 #include "io/case/value_text.hpp"
 #include "io/scenarios/scenario_io.hpp"
@@ -188,7 +189,7 @@ Json warnings_json(const std::vector<Warning>& warnings)
   return json;
 }
 
-Json resolution_json(const simulation::Resolution& r)
+Json resolution_json(const quality::Resolution& r)
 {
   Json json = {{"cells_per_contact_radius", r.cells},
                {"cells_per_contact_radius_x", r.cells_x},
@@ -198,7 +199,7 @@ Json resolution_json(const simulation::Resolution& r)
                {"cells_per_patch_radius", nullptr},
                {"cells_per_peak_radius", nullptr},
                {"expected_errors", Json::object()},
-               {"text", simulation::resolution_text(r)},
+               {"text", quality::resolution_text(r)},
                {"source", "estimate from the convergence tables of brinell, docs/verification.md"}};
   if (r.cells_per_wave)
     json["cells_per_shortest_wave"] = *r.cells_per_wave;
@@ -208,10 +209,10 @@ Json resolution_json(const simulation::Resolution& r)
     json["cells_per_peak_radius"] = *r.peak_cells;
   if (r.plastic_layers)
     json["layers_of_plastic_zone"] = *r.plastic_layers;
-  for (const simulation::ExpectedError& e : r.expected_errors)
+  for (const quality::ExpectedError& e : r.expected_errors)
     json["expected_errors"][e.quantity] = e.best();
   if (std::any_of(r.expected_errors.begin(), r.expected_errors.end(), [](const auto& e) { return e.measured; }))
-    for (const simulation::ExpectedError& e : r.expected_errors)
+    for (const quality::ExpectedError& e : r.expected_errors)
       json["errors_of_tables"][e.quantity] = e.relative;
   return json;
 }

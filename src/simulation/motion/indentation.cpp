@@ -14,7 +14,6 @@
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/memory.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/quality/judgement.hpp"
 
 #include <algorithm>
 #include <cmath>

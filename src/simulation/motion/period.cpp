@@ -60,19 +60,6 @@ Roughness roughness(const IndentationCase& c, const SurfaceGrid& grid)
   return result;
 }
 
-std::optional<std::string> gaps_without_contact(const IndentationCase& c, double touching_gap)
-{
-  if (c.sequence.front().kind != Drive::Kind::mean_gap)
-    return std::nullopt;
-  const auto apart = [&](const Drive& drive) { return drive.value >= touching_gap; };
-  const auto count = std::count_if(c.sequence.begin(), c.sequence.end() - 1, apart);
-  if (count == 0)
-    return std::nullopt;
-  return fmt::format("{} of the mean gaps before the last one {} not below {:.4g} m, where the surfaces first touch: "
-                     "there is no contact there",
-                     count, count == 1 ? "is" : "are", touching_gap);
-}
-
 contact::Drive largest_drive(const IndentationCase& c)
 {
   if (c.sequence.empty())

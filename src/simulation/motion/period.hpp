@@ -19,10 +19,6 @@ namespace brinell::simulation
 /// themselves, not of differences between cells.
 [[nodiscard]] Roughness roughness(const IndentationCase& c, const SurfaceGrid& grid);
 
-/// Text about mean gaps in the sequence that leave the surfaces apart, except the last one, which lifts off; empty if there are
-/// none.
-[[nodiscard]] std::optional<std::string> gaps_without_contact(const IndentationCase& c, double touching_gap);
-
 /// The entry of the sequence with the strongest contact, as load or approach. A mean gap is converted to the approach from first
 /// touch that would cause it in elastic bodies.
 /// @throws InputError if no entry presses the bodies together

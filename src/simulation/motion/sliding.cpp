@@ -11,7 +11,6 @@
 #include "run_state.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/heat.hpp"
-#include "simulation/quality/judgement.hpp"
 #include "sliding_plan.hpp"
 #include "stroke.hpp"
 

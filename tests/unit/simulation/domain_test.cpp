@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulation/plan/domain.hpp"
 
-#include "brinell/simulation/quality.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
 #include "domain_cases.hpp"
 #include "simulation/plan/footprint.hpp"
@@ -58,8 +58,8 @@ TEST(PlaneProblem, IsOneRowHoweverItIsGiven)
   const IndentationPlan other = plan(by_spacing);
   EXPECT_EQ(other.contact, one.contact);
   EXPECT_EQ(other.lower, one.lower);
-  const Resolution expected = expected_quality(by_cells, one).resolution;
-  const Resolution found = expected_quality(by_spacing, other).resolution;
+  const quality::Resolution expected = quality::expected(by_cells, one).resolution;
+  const quality::Resolution found = quality::expected(by_spacing, other).resolution;
   EXPECT_NEAR(found.cells_y, expected.cells_y, 1e-9);
   EXPECT_NEAR(found.cells_x, expected.cells_x, 1e-9);
 }
@@ -204,7 +204,9 @@ TEST(CellsInPeriods, EndsOfACylinderAreThoseOfCells)
 TEST(PeriodicApproach, EndsAtTheMeanDistanceOfTheSurfaces)
 {
   const auto refused = [](const IndentationCase& c)
-  { return reason_against_approach(c.lower, c.upper, c.sequence.front().value, c.domain, "IndentationCase").has_value(); };
+  {
+    return reason_against_approach(c.lower, c.upper, c.sequence.front().value, c.domain, "IndentationCase").has_value();
+  };
   EXPECT_TRUE(refused(flats(approach(1e-9)))) << "waves touch before their mean planes do";
   EXPECT_THROW(static_cast<void>(plan(flats(approach(1e-9)))), InputError);
   // Flats that touch all around a dent: full contact at its mean depth.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/member_keys.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/reference/sliding_contact.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "brinell/simulation/indentation.hpp"
-#include "brinell/simulation/quality.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "sphere_pairs.hpp"
 
@@ -121,7 +121,7 @@ TEST(FirstYield, OfCylindersInPlaneStrainIsThatOfTheirLineContact)
   t.interference = 3.0 * alpha_c;
   EXPECT_NEAR(plan(t).scales.displacement, alpha_c, 1e-9 * alpha_c);
   t.interference = alpha_c * (1.0 - 1e-9);
-  EXPECT_EQ(expected_quality(t, plan(t)).warnings.front().key, "no_yield");
+  EXPECT_EQ(quality::expected(t, plan(t)).warnings.front().key, "no_yield");
 }
 
 TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scenario fretting: what it refuses, and what it shares with an indentation.
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/fretting.hpp"
 
 #include "brinell/simulation/indentation.hpp"
@@ -124,8 +125,8 @@ TEST(FrettingTest, ARingOfSlipThinnerThanTwoCellsIsWarnedOf)
   // Mindlin: the radius of the part that sticks is a sqrt(1 - shift / sliding displacement), and a cbrt(1 - force / (friction load)).
   const auto is_told = [](const FrettingCase& c)
   {
-    const std::vector<Warning> list = expected_quality(c, plan(c)).warnings;
-    return std::any_of(list.begin(), list.end(), [](const Warning& w) { return w.key == "thin_slip"; });
+    const std::vector<quality::Warning> list = quality::expected(c, plan(c)).warnings;
+    return std::any_of(list.begin(), list.end(), [](const quality::Warning& w) { return w.key == "thin_slip"; });
   };
   const double ring = 0.25;
   FrettingCase shifted = sample(), forced = sample();

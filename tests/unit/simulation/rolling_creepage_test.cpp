@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rolling with creepage: what it refuses, and what it shares with rolling without it.
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/rolling.hpp"
 
 #include "brinell/simulation/run.hpp"
@@ -207,7 +208,7 @@ TEST(RollingCreepageTest, AShortTrackIsToldToBeUnsteady)
   {
     const RollingSummary summary = run(rolling);
     std::vector<std::string> found;
-    for (const Warning& warning : quality(rolling, plan(rolling), summary).warnings)
+    for (const quality::Warning& warning : quality::judged(rolling, plan(rolling), summary).warnings)
       found.push_back(warning.key);
     return found;
   };

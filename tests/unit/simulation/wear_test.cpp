@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Wear in sliding, fretting and rolling: what is refused, and what it shares with itself.
 #include "brinell/foundation/error.hpp"
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/fretting.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/sliding.hpp"
@@ -315,12 +316,13 @@ TEST(WearTest, IsToldWhereItIsAnEstimate)
   SlidingCase c = ball();
   c.wear = {.lower = 0.0, .upper = 1e-10};
   const WornRun<SlidingCase> r = worn(c);
-  const Quality q = quality(c, plan(c), r.summary);
-  const auto has = [&](const std::string& key)
-  { return std::any_of(q.warnings.begin(), q.warnings.end(), [&](const Warning& w) { return w.key == key; }); };
+  const quality::Quality q = quality::judged(c, plan(c), r.summary);
+  const auto has = [&](const std::string& key) {
+    return std::any_of(q.warnings.begin(), q.warnings.end(), [&](const quality::Warning& w) { return w.key == key; });
+  };
   EXPECT_TRUE(has("long_wear_step"));
-  const Quality usual = quality(ball(), plan(ball()), worn(ball()).summary);
-  for (const Warning& w : usual.warnings)
+  const quality::Quality usual = quality::judged(ball(), plan(ball()), worn(ball()).summary);
+  for (const quality::Warning& w : usual.warnings)
     EXPECT_NE(w.key, "long_wear_step") << w.text;
 }
 

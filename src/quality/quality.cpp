@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/simulation/quality.hpp"
+#include "brinell/quality/quality.hpp"
 
 #include "brinell/simulation/first_yield.hpp"
 #include "foundation/nan.hpp"
@@ -14,8 +14,10 @@
 #include <limits>
 #include <utility>
 
-namespace brinell::simulation
+namespace brinell::quality
 {
+
+using namespace simulation;
 
 namespace
 {
@@ -132,6 +134,15 @@ public:
       add("small_size", fmt::format("the bodies approach by only {}, less than a few atoms, where materials are not a "
                                     "continuum; are the load and the size as intended?",
                                     length_text(f_.approach)));
+  }
+
+  void of_scenario()
+  {
+    if (f_.warning)
+      add(*f_.warning);
+    of_tolerances();
+    for (const Warning& warning : f_.further_warnings)
+      add(warning);
   }
 
   void of_tolerances()
@@ -257,7 +268,7 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   return f;
 }
 
-Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
+Quality quality_before(const Facts& f)
 {
   std::vector<Warning> of_flow;
   Resolution resolution = resolution_of(f, f.half_x / f.cell[0], f.half_y / f.cell[1], nullptr);
@@ -280,13 +291,11 @@ Quality quality_before(const Facts& f, std::optional<Warning> of_scenario)
   judge.of_size();
   judge.of_warm_bulk();
   judge.of_expected_yield();
-  if (of_scenario)
-    judge.add(std::move(*of_scenario));
-  judge.of_tolerances();
+  judge.of_scenario();
   return std::move(judge).result();
 }
 
-Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<Warning> of_course)
+Quality quality_after(const Facts& f, const RunTotals& totals)
 {
   const Coverage& seen = totals.coverage;
   const bool touched = seen.contact_columns > 0;
@@ -314,9 +323,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals, std::optional<War
   warn_of_course(f, totals, judge.warnings());
   warn_of_heat(f, totals, judge.warnings());
   warn_of_wear(f, totals, judge.warnings());
-  if (of_course)
-    judge.add(std::move(*of_course));
-  judge.of_tolerances();
+  judge.of_scenario();
   return std::move(judge).result();
 }
 
@@ -360,4 +367,4 @@ std::optional<std::string> reason_against_shift(double shift, double half_x)
                      length_text(longest), length_text(longest_share_of_radius * half_x));
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/simulation/convergence.hpp"
+#include "brinell/quality/convergence.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/nan.hpp"
@@ -8,8 +8,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace brinell::simulation
+namespace brinell::quality
 {
+
+using namespace simulation;
 
 namespace
 {
@@ -120,4 +122,4 @@ void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, dou
     dy = length / (2.0 * std::max(0.0, std::round(0.5 * (length / dy - 1.0))) + 1.0);
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/simulation/rolling.hpp"
-
-#include "simulation/quality/judgement.hpp"
+#include "of_scenario.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,117 +8,35 @@
 #include <string_view>
 
 /// Quality of results of rolling, before and after a run.
-namespace brinell::simulation
+namespace brinell::quality
 {
 
 namespace
 {
 
 // docs/verification/accuracy.md (expected error)
-constexpr Documented rut{.quantity = "rut",
-                         .name = "passes[*].rut_depth_m",
-                         .error = 0.06,
-                         .cells = 4.0,
-                         .order = 1.5,
-                         .of = Documented::Of::contact,
-                         .of_steps = 0.3,
-                         .is_of_lower = true,
-                         .on_textures = 2.5};
+constexpr Documented rut{"rut", "passes[*].rut_depth_m", 0.06, 4.0, 1.5, Of::contact, 0.3, 2.5, true};
 /// The rut of a line contact is the small difference of large strains, of first order: the more so the larger the shear.
-constexpr Documented rut_of_line{.quantity = "rut",
-                                 .name = "passes[*].rut_depth_m",
-                                 .error = 0.07,
-                                 .cells = 8.0,
-                                 .order = 1.0,
-                                 .of = Documented::Of::contact,
-                                 .of_steps = 0.3,
-                                 .is_of_lower = true,
-                                 .on_textures = 3.0};
-constexpr Documented rut_of_sliding_line{.quantity = "rut",
-                                         .name = "passes[*].rut_depth_m",
-                                         .error = 0.16,
-                                         .cells = 8.0,
-                                         .order = 1.0,
-                                         .of = Documented::Of::contact,
-                                         .of_steps = 0.3,
-                                         .is_of_lower = true,
-                                         .on_textures = 3.0};
-constexpr Documented resistance_to_rolling{.quantity = "resistance",
-                                           .name = "passes[*].resistance_N",
-                                           .error = 0.08,
-                                           .cells = 4.0,
-                                           .order = 1.5,
-                                           .of = Documented::Of::contact,
-                                           .of_steps = 1.0,
-                                           .on_textures = 1.3};
-constexpr Documented dissipation{.quantity = "dissipation",
-                                 .name = "passes[*].dissipation_J",
-                                 .error = 0.09,
-                                 .cells = 4.0,
-                                 .order = 1.5,
-                                 .of = Documented::Of::contact,
-                                 .of_steps = 1.0,
-                                 .on_textures = 1.2};
+constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0, Of::contact, 0.3, 3.0, true};
+constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8.0, 1.0, Of::contact, 0.3, 3.0, true};
+constexpr Documented resistance_to_rolling{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5, Of::contact, 1.0,
+                                           1.3};
+constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.09, 4.0, 1.5, Of::contact, 1.0, 1.2};
 /// Of point contacts.
 constexpr double error_of_rubbed_shoulder = 0.17; ///< of the first of these, under sliding friction
-constexpr Documented of_rolled_points[] = {{.quantity = "shoulder",
-                                            .name = "passes[*].shoulder_height_m",
-                                            .error = 0.08,
-                                            .cells = 8.0,
-                                            .order = 1.0,
-                                            .of = Documented::Of::contact,
-                                            .of_steps = 0.3,
-                                            .is_of_lower = true},
-                                           {.quantity = "strain under the track",
-                                            .name = "passes[*].track_plastic_strain",
-                                            .error = 0.035,
-                                            .cells = 8.0,
-                                            .order = 1.0,
-                                            .of = Documented::Of::contact,
-                                            .of_steps = 0.3,
-                                            .on_textures = 2.0},
-                                           {.quantity = "contact area",
-                                            .name = "passes[*].contact_area_m2",
-                                            .error = 0.018,
-                                            .cells = 8.0,
-                                            .order = 1.0,
-                                            .of = Documented::Of::elastic_contact,
-                                            .of_steps = 0.02,
-                                            .on_textures = 2.0},
-                                           {.quantity = "largest pressure",
-                                            .name = "passes[*].max_pressure_Pa",
-                                            .error = 0.012,
-                                            .cells = 8.0,
-                                            .order = 1.0,
-                                            .of = Documented::Of::elastic_contact,
-                                            .of_steps = 0.02,
-                                            .on_textures = 2.0}};
+constexpr Documented of_rolled_points[] = {
+    {"shoulder", "passes[*].shoulder_height_m", 0.08, 8.0, 1.0, Of::contact, 0.3, 1.0, true},
+    {"strain under the track", "passes[*].track_plastic_strain", 0.035, 8.0, 1.0, Of::contact, 0.3, 2.0},
+    {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Of::elastic_contact, 0.02, 2.0},
+    {"largest pressure", "passes[*].max_pressure_Pa", 0.012, 8.0, 1.0, Of::elastic_contact, 0.02, 2.0}};
 /// Of elastic bodies, except where nearly all of the contact sticks: there the shear grows without limit at the trailing edge.
-constexpr Documented creep_force{.quantity = "creep force",
-                                 .name = "passes[*].F_x_N",
-                                 .error = 0.012,
-                                 .cells = 8.0,
-                                 .order = 1.5,
-                                 .of = Documented::Of::elastic_contact,
-                                 .of_steps = 0.15};
+constexpr Documented creep_force{"creep force", "passes[*].F_x_N", 0.012, 8.0, 1.5, Of::elastic_contact, 0.15};
 constexpr double error_of_sticking = 0.04, nearly_all = 0.97;
 /// The edge of a plastic contact is not that of an elastic one, on which the entry of points relies.
 constexpr double error_of_plastic_creep = 0.06;
-constexpr Documented spin_moment{.quantity = "spin moment",
-                                 .name = "passes[*].M_z_Nm",
-                                 .error = 0.06,
-                                 .cells = 8.0,
-                                 .order = 1.5,
-                                 .of = Documented::Of::elastic_contact,
-                                 .of_steps = 1.0};
+constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.06, 8.0, 1.5, Of::elastic_contact, 1.0};
 /// Relative to the area of the contact: a row of cells at the edge of the part that sticks.
-constexpr Documented stick_share{.quantity = "stick share",
-                                 .name = "passes[*].stick_share",
-                                 .error = 0.03,
-                                 .cells = 8.0,
-                                 .order = 1.0,
-                                 .of = Documented::Of::elastic_contact,
-                                 .of_steps = 1.0};
+constexpr Documented stick_share{"stick share", "passes[*].stick_share", 0.03, 8.0, 1.0, Of::elastic_contact, 1.0};
 
 /// Force and moment that lateral creepage and spin alone would cause by the linear theory. Both may nearly cancel, but their
 /// errors do not.
@@ -229,26 +145,6 @@ std::vector<Documented> documented_of_passes(const RollingCase& c, const Rolling
   return errors;
 }
 
-Facts facts(const RollingCase& c, const RollingPlan& plan, const std::vector<RollingPass>& passes = {})
-{
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
-  f.documented = documented_of_passes(c, plan, f.is_plane, passes);
-  f.moves = true;
-  f.slides = !c.creepage && c.slide_to_roll != 0.0;
-  f.may_stick = c.creepage.has_value();
-  if (c.creepage)
-  {
-    f.temperature_rise.error = temperature_error_of_sticking;
-    f.worn_depth.error = creep_force.error; // it goes with the work of the creep force
-  }
-  // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
-  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
-    f.shift = faster;
-  if (c.speed)
-    f.heating_time = 2.0 * f.half_x / (*c.speed * std::max(1.0, upper_share(c)));
-  return f;
-}
-
 /// Whether the rut, the residual displacement in the middle of the track, is so small beside what is left elsewhere, as in the
 /// middle of a dent, that its relative error says nothing.
 bool hardly_sinks(const RollingSummary& summary)
@@ -292,25 +188,35 @@ std::optional<Warning> creep_unsteadiness(const RollingCase& rolling, const std:
 
 } // namespace
 
-Quality expected_quality(const RollingCase& rolling, const RollingPlan& plan)
+template <>
+Facts facts(const RollingCase& c, const RollingPlan& plan, const Seen<RollingCase>& seen)
 {
-  return quality_before(facts(rolling, plan));
-}
-
-Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RunTotals& totals)
-{
-  return quality_after(facts(rolling, plan), totals);
-}
-
-Quality quality(const RollingCase& rolling, const RollingPlan& plan, const RollingSummary& summary)
-{
-  Facts f = facts(rolling, plan, summary.passes);
-  if (hardly_sinks(summary))
+  const std::vector<RollingPass> passes = seen.summary ? seen.summary->passes : std::vector<RollingPass>();
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
+  f.documented = documented_of_passes(c, plan, f.is_plane, passes);
+  f.moves = true;
+  f.slides = !c.creepage && c.slide_to_roll != 0.0;
+  f.may_stick = c.creepage.has_value();
+  if (c.creepage)
+  {
+    f.temperature_rise.error = temperature_error_of_sticking;
+    f.worn_depth.error = creep_force.error; // it goes with the work of the creep force
+  }
+  // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
+  if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)
+    f.shift = faster;
+  if (c.speed)
+    f.heating_time = 2.0 * f.half_x / (*c.speed * std::max(1.0, upper_share(c)));
+  if (seen.summary && hardly_sinks(*seen.summary))
     std::erase_if(f.documented, [](const Documented& d) { return std::string_view(d.quantity) == rut.quantity; });
-  Quality quality = quality_after(f, summary, unsteadiness(rolling, summary.passes));
-  if (const std::optional<Warning> warning = creep_unsteadiness(rolling, summary.passes))
-    quality.warnings.push_back(*warning);
-  return quality;
+  f.warning = unsteadiness(c, passes);
+  if (const std::optional<Warning> warning = creep_unsteadiness(c, passes))
+    f.further_warnings.push_back(*warning);
+  return f;
 }
 
-} // namespace brinell::simulation
+template Quality expected(const RollingCase&, const RollingPlan&);
+template Quality judged(const RollingCase&, const RollingPlan&, const RunTotals&);
+template Quality judged(const RollingCase&, const RollingPlan&, const RollingSummary&);
+
+} // namespace brinell::quality

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace brinell::simulation::expected_errors_of_friction_test
+namespace brinell::quality::expected_errors_of_friction_test
 {
 namespace
 {
@@ -26,28 +26,28 @@ TEST(ExpectedErrors, OfCreepDependOnWhatSlips)
   const auto stated = [&](const char* quantity, double sticks)
   {
     s.passes[0].stick_share = sticks;
-    return stated_error(quality(c, plan(c), s), quantity);
+    return stated_error(quality::judged(c, plan(c), s), quantity);
   };
   EXPECT_GT(stated("creep force", 0.99), 2.0 * stated("creep force", 0.5));
   EXPECT_LT(stated("creep force", 0.5), 0.02);
   // That of the share that sticks is a row of cells, whatever the share.
   EXPECT_NEAR(stated("stick share", 0.2), 2.5 * stated("stick share", 0.5), 1e-12);
   EXPECT_TRUE(std::isnan(stated("stick share", 0.0)));
-  EXPECT_TRUE(std::isnan(stated_error(expected_quality(c, plan(c)), "stick share")));
+  EXPECT_TRUE(std::isnan(stated_error(quality::expected(c, plan(c)), "stick share")));
 }
 
 TEST(ExpectedErrors, WithFrictionOfShoulderAndLargestStrainAreLarger)
 {
   RollingCase c = ball_on_flat();
   c.slide_to_roll = 0.3;
-  const auto shoulder = [&] { return stated_error(quality(c, plan(c), good_totals(c)), "shoulder"); };
+  const auto shoulder = [&] { return stated_error(quality::judged(c, plan(c), good_totals(c)), "shoulder"); };
   const double without = shoulder();
   c.friction.coefficient = 0.25;
   EXPECT_GT(shoulder(), 2.0 * without);
   TuggingCase t;
   t.lower = t.upper = {Paraboloid{1.0, 1.0}, {{200e9, 0.32}, constitutive::PerfectPlasticity{0.9e9}}};
   t.interference = 2e-3;
-  const auto strain = [&] { return stated_error(expected_quality(t, plan(t)), "largest plastic strain"); };
+  const auto strain = [&] { return stated_error(quality::expected(t, plan(t)), "largest plastic strain"); };
   const double smooth = strain();
   t.friction.coefficient = 0.1;
   EXPECT_GT(strain(), 4.0 * smooth);
@@ -65,11 +65,11 @@ TEST(ExpectedErrors, OfTheShareThatSticksInFrettingFollowMindlin)
   const auto stated = [&](double share)
   {
     c.amplitude = share * 3.0;
-    return stated_error(expected_quality(c, plan(c)), "stick share");
+    return stated_error(quality::expected(c, plan(c)), "stick share");
   };
   EXPECT_NEAR(stated(0.8) / stated(0.2), std::pow(4.0, 2.0 / 3.0), 1e-9);
   EXPECT_GT(stated(0.5), 0.045 / std::pow(0.5, 2.0 / 3.0)); // found with 8.5 cells
 }
 
 } // namespace
-} // namespace brinell::simulation::expected_errors_of_friction_test
+} // namespace brinell::quality::expected_errors_of_friction_test

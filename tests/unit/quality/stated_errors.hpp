@@ -8,7 +8,7 @@
 #include <string_view>
 
 /// What a result states of the error of a quantity.
-namespace brinell::simulation
+namespace brinell::quality
 {
 
 inline std::optional<ExpectedError> find_stated(const Quality& quality, std::string_view quantity)
@@ -36,4 +36,4 @@ inline RunTotals totals(int cells_per_radius, int layers)
   return t;
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

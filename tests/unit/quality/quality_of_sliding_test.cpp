@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// Warnings about surfaces that slide: their heat and their shear limit.
-namespace brinell::simulation::quality_of_sliding_test
+namespace brinell::quality::quality_of_sliding_test
 {
 namespace
 {
@@ -24,13 +24,13 @@ TEST(Quality, SurfacesSoHotThatConstantsAreOthers)
   EXPECT_EQ(after(c, t), Keys{});
   t.max_temperature = {4000.0, 80.0};
   ASSERT_EQ(after(c, t), Keys{"hot_surface"});
-  const std::string of_yielding = quality(c, plan(c), t).warnings.front().text;
+  const std::string of_yielding = quality::judged(c, plan(c), t).warnings.front().text;
   EXPECT_NE(of_yielding.find("the lower surface reaches 4000 degC, 3920 K above the bulk temperature"),
             std::string::npos);
   EXPECT_NE(of_yielding.find("give the material a softening law"), std::string::npos) << of_yielding;
   t.max_temperature = {581.0, 581.0};
   ASSERT_EQ(after(c, t), (Keys{"hot_surface", "hot_surface"}));
-  const std::string of_elastic = quality(c, plan(c), t).warnings.back().text;
+  const std::string of_elastic = quality::judged(c, plan(c), t).warnings.back().text;
   EXPECT_EQ(of_elastic.find("softening"), std::string::npos) << "the upper body does not yield: " << of_elastic;
   c.lower.material.softening = constitutive::LinearSoftening{80.0, 1500.0};
   t.max_temperature = {4000.0, 80.0};
@@ -45,7 +45,7 @@ TEST(Quality, HeatThroughCellsThatNeitherTouchNorAreOpen)
   EXPECT_EQ(after(c, t), Keys{});
   t.share_of_held_cells = 0.027;
   ASSERT_EQ(after(c, t), Keys{"undecided_contact"});
-  EXPECT_EQ(quality(c, plan(c), t).warnings.front().text.find("2.7 % of the heat passed"), 0u);
+  EXPECT_EQ(quality::judged(c, plan(c), t).warnings.front().text.find("2.7 % of the heat passed"), 0u);
 }
 
 TEST(Quality, HotSkinsThinnerThanTheLayers)
@@ -81,15 +81,15 @@ TEST(Quality, SurfacesAtTheirShearStrength)
   RunTotals t = good_totals(c);
   t.max_share_at_shear_limit = 0.04;
   EXPECT_EQ(after(c, t), Keys{});
-  EXPECT_FALSE(quality(c, plan(c), t).resolution.expected_errors.empty());
+  EXPECT_FALSE(quality::judged(c, plan(c), t).resolution.expected_errors.empty());
   t.max_share_at_shear_limit = 0.3;
   EXPECT_EQ(after(c, t), Keys{"surface_flow"});
-  EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty()) << "the tables are for less shear";
+  EXPECT_TRUE(quality::judged(c, plan(c), t).resolution.expected_errors.empty()) << "the tables are for less shear";
   c.friction.shear_limit = 1e8;
   EXPECT_EQ(after(c, t), Keys{}) << "a film below the strength of the surface";
   c.friction.shear_limit = 1e9;
   EXPECT_EQ(after(c, t), Keys{"surface_flow"}) << "a film that is stronger than the surface";
-  EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty());
+  EXPECT_TRUE(quality::judged(c, plan(c), t).resolution.expected_errors.empty());
   c.friction.shear_limit = 5e8;
   EXPECT_EQ(after(c, t), Keys{}) << "weaker than the surface, 577 MPa";
   c.lower.material.yield_factor = constitutive::DepthProfile({0.0, 1e-3}, {0.8, 1.0});
@@ -122,7 +122,7 @@ TEST(Quality, SurfacesExpectedAtTheirShearStrength)
   const double limit = 1e9 / std::sqrt(3.0);
   const auto load_of = [&](double peak_pressure)
   { return load_of_peak_pressure(c.lower.shape, c.upper.shape, c.domain, 0.5 * 210e9 / 0.91, peak_pressure).value(); };
-  const auto expects_errors = [&] { return !expected_quality(c, plan(c)).resolution.expected_errors.empty(); };
+  const auto expects_errors = [&] { return !quality::expected(c, plan(c)).resolution.expected_errors.empty(); };
   // An ellipsoid as well as a ball: friction times the pressure of Hertz exceeds the limit in 4 and in 6 % of the contact.
   for (const double radius_y : {5e-3, 20e-3})
   {
@@ -152,4 +152,4 @@ TEST(Quality, SurfacesExpectedAtTheirShearStrength)
 }
 
 } // namespace
-} // namespace brinell::simulation::quality_of_sliding_test
+} // namespace brinell::quality::quality_of_sliding_test

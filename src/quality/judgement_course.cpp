@@ -9,8 +9,10 @@
 #include <optional>
 
 /// Warnings about the course of a run.
-namespace brinell::simulation
+namespace brinell::quality
 {
+
+using namespace simulation;
 
 namespace
 {
@@ -256,4 +258,4 @@ void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warni
                percent_text(largest_worn_share_of_layer))});
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -9,8 +9,10 @@
 #include <string>
 
 /// Errors to expect of a run, from the tables of docs/verification/accuracy.md: with its cells, with its steps, and of its dents.
-namespace brinell::simulation
+namespace brinell::quality
 {
+
+using namespace simulation;
 
 double deciding_cells(const Facts& f, const Resolution& r)
 {
@@ -182,4 +184,4 @@ Resolution resolution_of(const Facts& f, double cells_x, double cells_y, const R
   return r;
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

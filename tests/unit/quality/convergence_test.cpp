@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
-#include "brinell/simulation/convergence.hpp"
+#include "brinell/quality/convergence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,10 @@
 #include <cmath>
 #include <vector>
 
-namespace brinell::simulation::convergence_test
+namespace brinell::quality::convergence_test
 {
+
+using namespace simulation;
 namespace
 {
 
@@ -188,4 +190,4 @@ TEST(ScaleCells, APeriodStaysAWholeNumberOfCells)
 }
 
 } // namespace
-} // namespace brinell::simulation::convergence_test
+} // namespace brinell::quality::convergence_test

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Groups of rules for warnings; each function appends to `warnings`.
-namespace brinell::simulation
+namespace brinell::quality
 {
 
 // Limits on cells and steps; with them an error is some percent in the tables of docs/verification/accuracy.md.
@@ -26,7 +26,8 @@ inline constexpr double longest_share_of_radius = 0.25; ///< step over contact r
 /// Resolution with the errors to expect.
 /// @param cells_x, cells_y  per half-width of the contact
 /// @param seen  by the run; null before it
-[[nodiscard]] Resolution resolution_of(const Facts& facts, double cells_x, double cells_y, const RunTotals* seen);
+[[nodiscard]] Resolution resolution_of(const Facts& facts, double cells_x, double cells_y,
+                                       const simulation::RunTotals* seen);
 
 /// "1.23 nm"
 [[nodiscard]] std::string length_text(double metres);
@@ -37,7 +38,8 @@ bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 
 /// Takes out of the resolution what is so uncertain on textured bodies that a number would mislead, and warns of it.
 /// @param warnings  of textures only; the last one is extended
-void withhold_errors(const Facts& facts, const RunTotals* seen, Resolution& resolution, std::vector<Warning>& warnings);
+void withhold_errors(const Facts& facts, const simulation::RunTotals* seen, Resolution& resolution,
+                     std::vector<Warning>& warnings);
 
 /// Estimate before a run of the share of the contact that is at the shear limit of a surface: of a pressure that is
 /// that of Hertz up to the hardness. 0 where the shear has no such limit, where surfaces may stick, and without an
@@ -49,17 +51,17 @@ void withhold_errors(const Facts& facts, const RunTotals* seen, Resolution& reso
 bool warn_of_expected_flow(const Facts& facts, std::vector<Warning>& warnings);
 
 /// Whether so much of the contact was at the shear limit of a surface that the flow of that surface decides about the results.
-[[nodiscard]] bool flows_at_surface(const Facts& facts, const RunTotals& totals);
+[[nodiscard]] bool flows_at_surface(const Facts& facts, const simulation::RunTotals& totals);
 
 /// Warns of expected yield that did not occur, of strains that are not small or depend on the cell size, of errors of the energy
 /// balance and of split increments.
-void warn_of_course(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
+void warn_of_course(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
 /// Warns of temperatures beyond the range of the softening law or of the thermal constants.
-void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
+void warn_of_heat(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
 /// Warns of wear that is too large: in one increment, because it is computed with the pressure at the end, or in total, because
 /// plastic strain does not move with the worn surface.
-void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings);
+void warn_of_wear(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

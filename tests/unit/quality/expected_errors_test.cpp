@@ -10,7 +10,7 @@
 #include <optional>
 #include <string_view>
 
-namespace brinell::simulation::expected_errors_test
+namespace brinell::quality::expected_errors_test
 {
 namespace
 {
@@ -27,8 +27,9 @@ IndentationCase indent(const Shape& shape)
 TEST(ExpectedErrors, OfThePlasticZoneFollowItsLayers)
 {
   const IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
-  const Quality deep = quality(c, plan(c), totals(10, 25)), shallow = quality(c, plan(c), totals(10, 10)),
-                coarse = quality(c, plan(c), totals(4, 25));
+  const Quality deep = quality::judged(c, plan(c), totals(10, 25)),
+                shallow = quality::judged(c, plan(c), totals(10, 10)),
+                coarse = quality::judged(c, plan(c), totals(4, 25));
   for (const char* quantity : {"residual depth", "pile-up", "residual stress at a depth"})
   {
     EXPECT_LT(stated_error(deep, quantity), 0.3 * stated_error(shallow, quantity)) << quantity;
@@ -41,16 +42,16 @@ TEST(ExpectedErrors, OfThePlasticZoneFollowItsLayers)
 TEST(ExpectedErrors, AreNotStatedOfWhatIsGiven)
 {
   IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
-  EXPECT_GT(stated_error(quality(c, plan(c), totals(10, 25)), "load"), 0.0);
+  EXPECT_GT(stated_error(quality::judged(c, plan(c), totals(10, 25)), "load"), 0.0);
   c.sequence = {{contact::Drive::Kind::load, 50.0}};
-  EXPECT_FALSE(find_stated(quality(c, plan(c), totals(10, 25)), "load"));
+  EXPECT_FALSE(find_stated(quality::judged(c, plan(c), totals(10, 25)), "load"));
   TuggingCase t;
   t.lower = t.upper = {Paraboloid{1e-3, 1e-3}, c.lower.material};
   t.interference = 1e-6;
-  EXPECT_EQ(find_stated(expected_quality(t, plan(t)), "peak force")->name, "forces.peak_*_N");
+  EXPECT_EQ(find_stated(quality::expected(t, plan(t)), "peak force")->name, "forces.peak_*_N");
   t.load = 1.0;
-  EXPECT_FALSE(find_stated(expected_quality(t, plan(t)), "peak force"));
-  EXPECT_EQ(find_stated(expected_quality(t, plan(t)), "peak F_X")->name, "forces.peak_F_X_N");
+  EXPECT_FALSE(find_stated(quality::expected(t, plan(t)), "peak force"));
+  EXPECT_EQ(find_stated(quality::expected(t, plan(t)), "peak F_X")->name, "forces.peak_F_X_N");
 }
 
 TEST(ExpectedErrors, OfTuggingThatIsMostlyFrictionAreThoseOfTheNormalForce)
@@ -64,7 +65,7 @@ TEST(ExpectedErrors, OfTuggingThatIsMostlyFrictionAreThoseOfTheNormalForce)
   const auto found = [&](double friction, const char* quantity)
   {
     seen.dissipation_friction = friction;
-    return stated_error(quality(t, plan(t), seen), quantity);
+    return stated_error(quality::judged(t, plan(t), seen), quantity);
   };
   for (const char* quantity : {"net energy", "F_X at alignment"})
   {
@@ -72,7 +73,7 @@ TEST(ExpectedErrors, OfTuggingThatIsMostlyFrictionAreThoseOfTheNormalForce)
     EXPECT_LT(rubbing, 0.01) << quantity;
     EXPECT_GT(ploughing, 0.03) << quantity;
     EXPECT_NEAR(found(0.5, quantity), 0.5 * (ploughing + rubbing), 1e-12) << quantity;
-    EXPECT_GT(stated_error(expected_quality(t, plan(t)), quantity), rubbing) << "not known before the run";
+    EXPECT_GT(stated_error(quality::expected(t, plan(t)), quantity), rubbing) << "not known before the run";
   }
   EXPECT_DOUBLE_EQ(found(1.0, "dents"), found(0.0, "dents"));
 }
@@ -80,7 +81,8 @@ TEST(ExpectedErrors, OfTuggingThatIsMostlyFrictionAreThoseOfTheNormalForce)
 TEST(ExpectedErrors, OfTipsHaveNoLargestStrain)
 {
   const IndentationCase cone = indent(Cone{1.4, 0.0}), ball = indent(Paraboloid{1e-3, 1e-3});
-  const Quality of_cone = quality(cone, plan(cone), totals(8, 25)), of_ball = quality(ball, plan(ball), totals(8, 25));
+  const Quality of_cone = quality::judged(cone, plan(cone), totals(8, 25)),
+                of_ball = quality::judged(ball, plan(ball), totals(8, 25));
   EXPECT_FALSE(find_stated(of_cone, "largest plastic strain"));
   EXPECT_TRUE(find_stated(of_ball, "largest plastic strain"));
   EXPECT_GT(stated_error(of_cone, "residual depth"), 2.0 * stated_error(of_ball, "residual depth"));
@@ -102,7 +104,7 @@ TEST(ExpectedErrors, OnATextureFollowTheShortestLengthInCells)
   const auto of = [&](double edge, int layers, double patch, double peak)
   {
     c.lower.texture = Dent{.depth = 1e-7, .edge_radius = edge * cell};
-    return quality(c, plan(c), totals_on_texture(layers, patch, peak));
+    return quality::judged(c, plan(c), totals_on_texture(layers, patch, peak));
   };
   const double fine = stated_error(of(20.0, 50, 20.0, 10.0), "hardness");
   EXPECT_NEAR(stated_error(of(5.0, 50, 20.0, 10.0), "hardness"), 2.0 * fine, 0.05 * fine)
@@ -119,7 +121,7 @@ TEST(ExpectedErrors, OnATextureAreWithheldWithAReasonIfTheyAreLarge)
 {
   IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
   c.lower.texture = Dent{.depth = 1e-7, .edge_radius = 5.0 * plan(c).contact.dx};
-  const Quality q = quality(c, plan(c), totals_on_texture(4, 5.0, 3.0));
+  const Quality q = quality::judged(c, plan(c), totals_on_texture(4, 5.0, 3.0));
   EXPECT_FALSE(find_stated(q, "residual stress at a depth"));
   EXPECT_TRUE(find_stated(q, "hardness"));
   ASSERT_EQ(keys(q), Keys{"coarse_texture"});
@@ -139,8 +141,8 @@ TEST(ExpectedErrors, AreStatedOfRoughFlats)
     *axis = {Boundary::periodic, 80e-6, 24};
   c.domain.layer = 2e-6;
   c.sequence = {{contact::Drive::Kind::load, 0.1}};
-  const Quality wide = quality(c, plan(c), totals_on_texture(20, 6.0, 6.0)),
-                narrow = quality(c, plan(c), totals_on_texture(20, 3.0, 3.0));
+  const Quality wide = quality::judged(c, plan(c), totals_on_texture(20, 6.0, 6.0)),
+                narrow = quality::judged(c, plan(c), totals_on_texture(20, 3.0, 3.0));
   // A crest between cells instead of on one changes the largest pressure by 3.9 % and the plastic work by 5.3 %.
   EXPECT_GT(stated_error(wide, "largest pressure"), 0.039);
   EXPECT_GT(stated_error(wide, "plastic work"), 0.053);
@@ -151,9 +153,9 @@ TEST(ExpectedErrors, AreStatedOfRoughFlats)
 TEST(ExpectedErrors, AreNotStatedWhereATextureIsLost)
 {
   IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
-  EXPECT_FALSE(expected_quality(c, plan(c)).resolution.expected_errors.empty());
+  EXPECT_FALSE(quality::expected(c, plan(c)).resolution.expected_errors.empty());
   c.lower.texture = Dent{.depth = 1e-7, .edge_radius = 1.9 * plan(c).contact.dy};
-  for (const Quality& q : {expected_quality(c, plan(c)), quality(c, plan(c), totals(8, 25))})
+  for (const Quality& q : {quality::expected(c, plan(c)), quality::judged(c, plan(c), totals(8, 25))})
   {
     EXPECT_EQ(keys(q), Keys{"coarse_texture"});
     EXPECT_TRUE(q.resolution.expected_errors.empty());
@@ -167,7 +169,7 @@ TEST(ExpectedErrors, OfATrackHaveItsRounding)
   const auto dissipation = [&](double steps)
   {
     c.distance = steps * shift;
-    return stated_error(quality(c, plan(c), good_totals(c)), "dissipation");
+    return stated_error(quality::judged(c, plan(c), good_totals(c)), "dissipation");
   };
   EXPECT_NEAR(dissipation(10.9) - dissipation(10.0), 0.9 / 10.9, 1e-9) << "an even number of steps: 10";
   EXPECT_NEAR(dissipation(11.1) - dissipation(10.0), 0.9 / 11.1, 1e-9) << "12";
@@ -179,7 +181,7 @@ TEST(ExpectedErrors, OfAnIndentWithFewStepsAreLarger)
   const auto with_steps = [&](int steps, const char* quantity)
   {
     c.steps = steps;
-    return stated_error(quality(c, plan(c), totals(10, 25)), quantity);
+    return stated_error(quality::judged(c, plan(c), totals(10, 25)), quantity);
   };
   for (const char* quantity : {"load", "residual depth", "hardness", "pile-up", "largest plastic strain"})
   {
@@ -194,11 +196,11 @@ TEST(ExpectedErrors, OfElasticBodiesAreThoseOfTheirForces)
 {
   IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
   c.lower.material.hardening.reset();
-  const Quality of_many = quality(c, plan(c), totals(10, 0));
+  const Quality of_many = quality::judged(c, plan(c), totals(10, 0));
   EXPECT_TRUE(find_stated(of_many, "load") && find_stated(of_many, "hardness"));
   EXPECT_FALSE(find_stated(of_many, "residual depth") || find_stated(of_many, "largest plastic strain"));
   c.steps = 1;
-  EXPECT_DOUBLE_EQ(stated_error(quality(c, plan(c), totals(10, 0)), "load"), stated_error(of_many, "load"))
+  EXPECT_DOUBLE_EQ(stated_error(quality::judged(c, plan(c), totals(10, 0)), "load"), stated_error(of_many, "load"))
       << "without a history";
 
   FrettingCase f;
@@ -206,7 +208,7 @@ TEST(ExpectedErrors, OfElasticBodiesAreThoseOfTheirForces)
   f.press = {contact::Drive::Kind::load, 2.0};
   f.friction.coefficient = 0.3;
   f.amplitude = 1e-7;
-  const Quality of_fretting = quality(f, plan(f), totals(10, 0));
+  const Quality of_fretting = quality::judged(f, plan(f), totals(10, 0));
   for (const char* quantity : {"largest force along the surface", "heat of friction", "slip amplitude"})
     EXPECT_TRUE(find_stated(of_fretting, quantity)) << quantity;
   EXPECT_FALSE(find_stated(of_fretting, "plastic work"));
@@ -218,7 +220,7 @@ TEST(ExpectedErrors, OfTheUnloadingStiffnessAreOfFirstOrderInTheStepIfLoadRemain
   const auto with_steps = [&](int steps)
   {
     c.steps = steps;
-    return find_stated(quality(c, plan(c), totals(10, 25)), "unloading stiffness");
+    return find_stated(quality::judged(c, plan(c), totals(10, 25)), "unloading stiffness");
   };
   EXPECT_FALSE(with_steps(20)) << "nothing is unloaded";
   c.sequence.push_back({contact::Drive::Kind::approach, 0.5e-6});
@@ -235,7 +237,7 @@ TEST(ExpectedErrors, OfAreasAndPressuresAreThoseOfElasticBodiesToo)
   RollingCase c = ball_on_flat();
   RunTotals t = good_totals(c);
   t.coverage.plastic_layers = 0;
-  const Quality of_elastic = quality(c, plan(c), t), of_plastic = quality(c, plan(c), good_totals(c));
+  const Quality of_elastic = quality::judged(c, plan(c), t), of_plastic = quality::judged(c, plan(c), good_totals(c));
   for (const char* quantity : {"contact area", "largest pressure"})
   {
     EXPECT_TRUE(find_stated(of_elastic, quantity)) << quantity;
@@ -256,7 +258,7 @@ TEST(ExpectedErrors, OfALongShiftAreLarger)
   {
     c.shift = shift;
     c.distance = 10.0 * shift;
-    return stated_error(quality(c, plan(c), good_totals(c)), quantity);
+    return stated_error(quality::judged(c, plan(c), good_totals(c)), quantity);
   };
   for (const char* quantity : {"dissipation", "resistance", "rut"})
     EXPECT_DOUBLE_EQ(with_shift(cell, quantity), with_shift(0.5 * cell, quantity)) << "part of the tables of cells";
@@ -266,7 +268,7 @@ TEST(ExpectedErrors, OfALongShiftAreLarger)
   EXPECT_LT(further, 0.2);
   EXPECT_NEAR(with_shift(0.5 * radius, "rut") - with_shift(cell, "rut"), 0.3 * further, 1e-9);
   c.shift = 0.5 * radius;
-  const Quality q = quality(c, plan(c), good_totals(c));
+  const Quality q = quality::judged(c, plan(c), good_totals(c));
   ASSERT_EQ(keys(q), Keys{"long_step"});
   EXPECT_NE(q.warnings.front().text.find("a further error of about " + percent_text(further)), std::string::npos)
       << q.warnings.front().text;
@@ -279,7 +281,7 @@ TEST(ExpectedErrors, OfTheHarderLowerBodyAreThoseOfSmallDents)
   const auto found = [&](double upper, const char* quantity)
   {
     t.max_residual_upper = upper * t.max_residual_lower;
-    return stated_error(quality(c, plan(c), t), quantity);
+    return stated_error(quality::judged(c, plan(c), t), quantity);
   };
   EXPECT_DOUBLE_EQ(found(0.5, "residual depth"), found(0.0, "residual depth"));
   for (const char* quantity : {"residual depth", "pile-up"})
@@ -288,8 +290,8 @@ TEST(ExpectedErrors, OfTheHarderLowerBodyAreThoseOfSmallDents)
   EXPECT_TRUE(std::isnan(found(51.0, "residual depth"))) << "a relative error would say nothing";
   t.max_residual_upper = t.max_residual_lower;
   t.max_residual_lower = 0.0;
-  EXPECT_FALSE(find_stated(quality(c, plan(c), t), "residual depth")) << "only the ball yields";
-  EXPECT_TRUE(find_stated(quality(c, plan(c), t), "hardness"));
+  EXPECT_FALSE(find_stated(quality::judged(c, plan(c), t), "residual depth")) << "only the ball yields";
+  EXPECT_TRUE(find_stated(quality::judged(c, plan(c), t), "hardness"));
 }
 
 TEST(ExpectedErrors, OfTheRutOfALineAreOfFirstOrder)
@@ -303,7 +305,7 @@ TEST(ExpectedErrors, OfTheRutOfALineAreOfFirstOrder)
   {
     RunTotals t = good_totals(c);
     t.coverage = {columns, 1, 4 * columns};
-    return stated_error(quality(c, plan(c), t), "rut");
+    return stated_error(quality::judged(c, plan(c), t), "rut");
   };
   EXPECT_NEAR(rut(16) / rut(32), 2.0, 1e-9);
   const double rolling = rut(16);
@@ -319,9 +321,9 @@ TEST(ExpectedErrors, OfNumbersNearZeroAreNotStated)
   static_cast<RunTotals&>(s) = good_totals(c);
   s.passes.resize(2);
   s.passes[0].resistance = 2e-5 * c.drive.value;
-  EXPECT_TRUE(find_stated(quality(c, plan(c), s), "resistance"));
+  EXPECT_TRUE(find_stated(quality::judged(c, plan(c), s), "resistance"));
   s.passes[0].resistance = 0.5e-5 * c.drive.value;
-  EXPECT_FALSE(find_stated(quality(c, plan(c), s), "resistance"));
+  EXPECT_FALSE(find_stated(quality::judged(c, plan(c), s), "resistance"));
 
   SlidingCase sliding;
   sliding.lower = c.lower;
@@ -332,16 +334,16 @@ TEST(ExpectedErrors, OfNumbersNearZeroAreNotStated)
   static_cast<RunTotals&>(of_sliding) = totals(8, 25);
   of_sliding.strokes.resize(2);
   of_sliding.strokes[0].friction_ploughing = -2e-3; // the largest stroke counts
-  EXPECT_TRUE(find_stated(quality(sliding, plan(sliding), of_sliding), "friction by ploughing"));
+  EXPECT_TRUE(find_stated(quality::judged(sliding, plan(sliding), of_sliding), "friction by ploughing"));
   of_sliding.strokes[0].friction_ploughing = -5e-4;
-  EXPECT_FALSE(find_stated(quality(sliding, plan(sliding), of_sliding), "friction by ploughing"));
+  EXPECT_FALSE(find_stated(quality::judged(sliding, plan(sliding), of_sliding), "friction by ploughing"));
   of_sliding.dissipation_upper = 1.0;
   of_sliding.strokes[1].dissipation_plastic = 0.03;
-  EXPECT_TRUE(find_stated(quality(sliding, plan(sliding), of_sliding), "plastic work"));
+  EXPECT_TRUE(find_stated(quality::judged(sliding, plan(sliding), of_sliding), "plastic work"));
   of_sliding.strokes[1].dissipation_plastic = 0.01;
-  EXPECT_FALSE(find_stated(quality(sliding, plan(sliding), of_sliding), "plastic work"))
+  EXPECT_FALSE(find_stated(quality::judged(sliding, plan(sliding), of_sliding), "plastic work"))
       << "nearly all yields in pressing";
 }
 
 } // namespace
-} // namespace brinell::simulation::expected_errors_test
+} // namespace brinell::quality::expected_errors_test

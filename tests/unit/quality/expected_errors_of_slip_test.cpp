@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace brinell::simulation::expected_errors_of_slip_test
+namespace brinell::quality::expected_errors_of_slip_test
 {
 namespace
 {
@@ -25,7 +25,7 @@ TEST(ExpectedErrorsOfSlip, OfCreepForcesAreThoseOfTheResultant)
   {
     s.passes[0].F_x = F_x * largest;
     s.passes[0].F_y = F_y * largest;
-    return find_stated(quality(c, plan(c), s), "creep force").value();
+    return find_stated(quality::judged(c, plan(c), s), "creep force").value();
   };
   const double usual = of_force(0.5, 0.0).relative;
   EXPECT_EQ(of_force(0.5, 0.0).name, "passes[*].F_x_N");
@@ -53,7 +53,7 @@ TEST(ExpectedErrorsOfSlip, OfHeatAndWearAreThoseOfElasticBodiesAsWell)
   c.friction.coefficient = 0.1;
   RunTotals t = good_totals(c);
   t.coverage.plastic_layers = 0;
-  const auto found = [&](const char* quantity) { return find_stated(quality(c, plan(c), t), quantity); };
+  const auto found = [&](const char* quantity) { return find_stated(quality::judged(c, plan(c), t), quantity); };
   EXPECT_FALSE(found("temperature rise") || found("worn depth"));
   c.wear.lower = 1e-15;
   ASSERT_TRUE(found("worn depth"));
@@ -85,7 +85,7 @@ TEST(ExpectedErrorsOfSlip, OfTheRimThatWearsInFrettingAreLarger)
   const auto of_amplitude = [&](double share)
   {
     c.amplitude = share * sliding;
-    return stated_error(quality(c, plan(c), totals(8, 0)), "worn depth");
+    return stated_error(quality::judged(c, plan(c), totals(8, 0)), "worn depth");
   };
   EXPECT_DOUBLE_EQ(of_amplitude(2.0), 0.015);
   EXPECT_DOUBLE_EQ(of_amplitude(0.8), 0.06);
@@ -104,7 +104,7 @@ TEST(ExpectedErrorsOfSlip, OfAThinRingOfSlipGrow)
   const auto of_amplitude = [&](double share)
   {
     c.amplitude = share * sliding;
-    return quality(c, plan(c), totals(8, 25));
+    return quality::judged(c, plan(c), totals(8, 25));
   };
   const Quality wide = of_amplitude(0.8), thin = of_amplitude(0.1);
   EXPECT_GT(stated_error(wide, "heat of friction"), 0.02);
@@ -123,4 +123,4 @@ TEST(ExpectedErrorsOfSlip, OfAThinRingOfSlipGrow)
 }
 
 } // namespace
-} // namespace brinell::simulation::expected_errors_of_slip_test
+} // namespace brinell::quality::expected_errors_of_slip_test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/quality/quality.hpp"
 #include "brinell/simulation/estimates.hpp"
 #include "brinell/simulation/scenarios.hpp"
 
@@ -8,8 +9,10 @@
 #include <vector>
 
 /// A case whose quality is judged, before and after a run.
-namespace brinell::simulation
+namespace brinell::quality
 {
+
+using namespace simulation;
 
 /// A ball on a flat that yields; the contact is about 0.2 mm wide.
 inline RollingCase ball_on_flat()
@@ -47,12 +50,12 @@ using Keys = std::vector<std::string>;
 
 inline Keys before(const RollingCase& c)
 {
-  return keys(expected_quality(c, plan(c)));
+  return keys(quality::expected(c, plan(c)));
 }
 
 inline Keys after(const RollingCase& c, const RunTotals& totals)
 {
-  return keys(quality(c, plan(c), totals));
+  return keys(quality::judged(c, plan(c), totals));
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace brinell::simulation
+namespace brinell::quality
 {
+
+using namespace simulation;
 
 namespace
 {
@@ -104,4 +106,4 @@ bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings)
   return OfTextures(facts, warnings).tell();
 }
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -7,7 +7,7 @@
 #include <span>
 
 /// Discretization error of a number, estimated from runs with successively finer cells.
-namespace brinell::simulation
+namespace brinell::quality
 {
 
 struct Convergence
@@ -39,6 +39,7 @@ struct Convergence
 /// Multiplies the cell sizes of a case by a factor. The length of a cylinder stays an odd number of cells, a period a
 /// whole number.
 /// @throws GridError if a period has so few cells that two sizes of a series would be the same
-void scale_cells(Numerics& numerics, const Shape& lower, const Shape& upper, double size);
+void scale_cells(simulation::Numerics& numerics, const simulation::Shape& lower, const simulation::Shape& upper,
+                 double size);
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/simulation/scenario.hpp"
+
 #include <array>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Warnings and expected errors that a user should know before using the numbers of a result. `expected_quality` and `quality` of
-/// each scenario determine them; the program, the summary, Python and the report only show them. The limits are explained in
-/// docs/howto/accuracy.md.
-namespace brinell::simulation
+/// Warnings and expected errors that a user should know before using the numbers of a result; the program, the summary, Python and
+/// the report only show them. The limits are explained in docs/howto/accuracy.md.
+namespace brinell::quality
 {
 
 /// A warning about a case that can be computed, but whose result should be checked.
@@ -57,6 +58,16 @@ struct Quality
   Resolution resolution;
 };
 
+/// Quality of the result of a case before it is run.
+template <typename Case>
+[[nodiscard]] Quality expected(const Case& c, const typename Case::Plan& plan);
+
+/// Quality of a result by the totals of its run, or by the summary, which knows more.
+template <typename Case>
+[[nodiscard]] Quality judged(const Case& c, const typename Case::Plan& plan, const simulation::RunTotals& totals);
+template <typename Case>
+[[nodiscard]] Quality judged(const Case& c, const typename Case::Plan& plan, const typename Case::Summary& summary);
+
 /// A share with two digits: "2.5 %"; above 99 % with all of its digits: "357 %".
 [[nodiscard]] std::string percent_text(double share);
 
@@ -70,4 +81,4 @@ struct Quality
 /// enough.
 [[nodiscard]] std::optional<std::string> reason_against_shift(double shift, double half_x);
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace brinell::simulation::quality_test
+namespace brinell::quality::quality_test
 {
 namespace
 {
@@ -29,7 +29,7 @@ TEST(Quality, TheSmallerOfBothDirectionsIsTold)
   RunTotals t = good_totals(c);
   t.coverage.contact_columns = 17;
   t.coverage.contact_rows = 9;
-  const Resolution r = quality(c, plan(c), t).resolution;
+  const Resolution r = quality::judged(c, plan(c), t).resolution;
   EXPECT_EQ(r.cells_x, 8.5);
   EXPECT_EQ(r.cells_y, 4.5);
   EXPECT_EQ(r.cells, 4.5);
@@ -49,7 +49,7 @@ TEST(Quality, CoarseContact)
   c.resolution = 3.0;
   EXPECT_EQ(before(c), Keys{"coarse_contact"});
   c.resolution = 1.5;
-  EXPECT_NE(expected_quality(c, plan(c)).warnings.at(0).text.find("no number"), std::string::npos);
+  EXPECT_NE(quality::expected(c, plan(c)).warnings.at(0).text.find("no number"), std::string::npos);
 }
 
 TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)
@@ -58,12 +58,12 @@ TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)
   c.upper.shape = Roller{10e-3, 1e-3};
   c.drive.value = 1500.0;
   EXPECT_EQ(before(c), Keys{"sharp_end"});
-  EXPECT_TRUE(expected_quality(c, plan(c)).resolution.expected_errors.empty());
+  EXPECT_TRUE(quality::expected(c, plan(c)).resolution.expected_errors.empty());
   RunTotals t = good_totals(c);
   const double dy = plan(c).contact.dy;
   t.coverage.contact_rows = static_cast<int>(std::floor(1e-3 / dy));
   EXPECT_EQ(after(c, t), Keys{"sharp_end"});
-  EXPECT_TRUE(quality(c, plan(c), t).resolution.expected_errors.empty());
+  EXPECT_TRUE(quality::judged(c, plan(c), t).resolution.expected_errors.empty());
   t.coverage.contact_rows = static_cast<int>(std::floor(0.8e-3 / dy)); // as with ends that a texture rounds
   EXPECT_EQ(after(c, t), Keys{});
   c.domain.y = {Boundary::periodic, 1.0, 1}; // plane strain, the load is that of 1 m
@@ -77,14 +77,15 @@ TEST(Quality, ExpectedErrorsFollowTheTables)
   const RollingCase c = ball_on_flat();
   RunTotals t = good_totals(c);
   t.coverage.contact_columns = t.coverage.contact_rows = 8; // four per radius, as in the table
-  Quality q = quality(c, plan(c), t);
+  Quality q = quality::judged(c, plan(c), t);
   ASSERT_EQ(q.resolution.expected_errors.at(0).quantity, "rut");
   const double at_four = q.resolution.expected_errors.at(0).relative;
   EXPECT_NEAR(at_four, 0.06, 1e-12);
   t.coverage.contact_columns = t.coverage.contact_rows = 16;
-  EXPECT_NEAR(quality(c, plan(c), t).resolution.expected_errors.at(0).relative, at_four / std::pow(2.0, 1.5), 1e-12);
+  EXPECT_NEAR(quality::judged(c, plan(c), t).resolution.expected_errors.at(0).relative, at_four / std::pow(2.0, 1.5),
+              1e-12);
   t.coverage.contact_columns = t.coverage.contact_rows = 1;
-  for (const ExpectedError& e : quality(c, plan(c), t).resolution.expected_errors)
+  for (const ExpectedError& e : quality::judged(c, plan(c), t).resolution.expected_errors)
     EXPECT_LE(e.relative, 1.0);
 }
 
@@ -146,7 +147,7 @@ TEST(Quality, YieldThatNoCellHasSeenIsTold)
   const RollingCase above = pressed_to(sliding, 1.12);
   EXPECT_EQ(after(above, t), Keys{"missed_yield"});
   EXPECT_NEAR(plan(above).peak_over_yield, 1.12, 1e-3); // of the search for the largest stress
-  EXPECT_NE(quality(above, plan(above), t).warnings.front().text.find("1.12 times"), std::string::npos);
+  EXPECT_NE(quality::judged(above, plan(above), t).warnings.front().text.find("1.12 times"), std::string::npos);
   RollingCase creeping = pressed_to(ball_on_flat(), 1.12);
   creeping.creepage = Creepage{1e-3, 0.0, 0.0};
   EXPECT_EQ(after(creeping, t), Keys{"no_yield"});
@@ -249,7 +250,7 @@ TEST(Quality, OneStepOfAnElasticIndentationIsRight)
   c.steps = 1;
   const IndentationSummary s = run(c);
   EXPECT_EQ(s.energy_balance_error, 0.0);
-  for (const Warning& warning : quality(c, plan(c), s).warnings)
+  for (const Warning& warning : quality::judged(c, plan(c), s).warnings)
     EXPECT_NE(warning.key, "energy_balance");
   ASSERT_EQ(s.indents.size(), 1U);
   const double exact = 0.4 * 10.0 * s.indents[0].max_approach;
@@ -268,7 +269,7 @@ TEST(Quality, CreepForcesHaveAnErrorToExpectAlsoOfElasticBodies)
   RollingCase c = ball_on_flat();
   c.lower.material.hardening.reset();
   c.upper.material.hardening.reset();
-  const auto first = [&] { return expected_quality(c, plan(c)).resolution.expected_errors.front().quantity; };
+  const auto first = [&] { return quality::expected(c, plan(c)).resolution.expected_errors.front().quantity; };
   EXPECT_EQ(first(), "contact area");
   c.friction.coefficient = 0.3;
   c.creepage = Creepage{1e-3, 0.0, 0.0};
@@ -279,7 +280,7 @@ TEST(Quality, WavesNeedEightCells)
 {
   RollingCase c = ball_on_flat();
   const double dx = plan(c).contact.dx, dy = plan(c).contact.dy;
-  const auto text = [&] { return expected_quality(c, plan(c)).warnings.at(0).text; };
+  const auto text = [&] { return quality::expected(c, plan(c)).warnings.at(0).text; };
   c.lower.texture = Sinusoid{.amplitude = 1e-9, .wavelength_x = 7.9 * dx};
   EXPECT_EQ(before(c), Keys{"coarse_texture"});
   EXPECT_EQ(after(c, good_totals(c)), Keys{"coarse_texture"});
@@ -338,9 +339,9 @@ TEST(Quality, UnsteadyTrack)
   static_cast<RunTotals&>(s) = good_totals(c);
   s.passes.resize(2);
   s.passes[1].unsteadiness = 0.1;
-  EXPECT_EQ(keys(quality(c, plan(c), s)), Keys{});
+  EXPECT_EQ(keys(quality::judged(c, plan(c), s)), Keys{});
   s.passes[1].unsteadiness = 0.5;
-  const Quality unsteady = quality(c, plan(c), s);
+  const Quality unsteady = quality::judged(c, plan(c), s);
   ASSERT_EQ(keys(unsteady), Keys{"unsteady_track"});
   EXPECT_NE(unsteady.warnings[0].text.find("pass 2: the energy absorbed per length differs by 50 %"),
             std::string::npos);
@@ -356,7 +357,7 @@ TEST(Quality, ARutNearZeroHasNoExpectedError)
   const auto has_rut = [&](double depth)
   {
     s.passes[0].rut_depth = depth;
-    const auto errors = quality(c, plan(c), s).resolution.expected_errors;
+    const auto errors = quality::judged(c, plan(c), s).resolution.expected_errors;
     return std::any_of(errors.begin(), errors.end(), [](const ExpectedError& e) { return e.quantity == "rut"; });
   };
   EXPECT_TRUE(has_rut(0.06 * s.max_residual_lower));
@@ -374,7 +375,7 @@ TEST(Quality, RoughFlatsHaveWavesAndNoContactRadius)
     *axis = {Boundary::periodic, 80e-6, 20}; // cells of 4 um
   c.domain.layer = 2e-6;
   c.sequence = {{contact::Drive::Kind::load, 0.1}};
-  const Resolution expected = expected_quality(c, plan(c)).resolution;
+  const Resolution expected = quality::expected(c, plan(c)).resolution;
   EXPECT_DOUBLE_EQ(expected.cells_per_wave.value(), 10.0);
   EXPECT_TRUE(std::isnan(expected.cells));
   EXPECT_FALSE(expected.expected_errors.empty());
@@ -382,17 +383,17 @@ TEST(Quality, RoughFlatsHaveWavesAndNoContactRadius)
   t.coverage = {5, 5, 8};
   t.max_equivalent_plastic_strain = 0.01;
   t.energy_balance_error = 1e-3;
-  const Quality q = quality(c, plan(c), t);
+  const Quality q = quality::judged(c, plan(c), t);
   EXPECT_EQ(keys(q), Keys{});
   const std::string text = resolution_text(q.resolution);
   EXPECT_TRUE(text.starts_with("resolution: 10 cells per shortest wave, for a contact of patches of various sizes, "
                                "8 layers through the plastic zone; expected errors"))
       << text;
   t.coverage.contact_columns = t.coverage.contact_rows = 0;
-  EXPECT_EQ(resolution_text(quality(c, plan(c), t).resolution), "resolution: no contact");
+  EXPECT_EQ(resolution_text(quality::judged(c, plan(c), t).resolution), "resolution: no contact");
   c.upper.texture = {}; // one pile of cells for a ball in a period, as for one alone
   c.upper.shape = Paraboloid{1e-4, 1e-4};
-  EXPECT_FALSE(expected_quality(c, plan(c)).resolution.cells_per_wave.has_value());
+  EXPECT_FALSE(quality::expected(c, plan(c)).resolution.cells_per_wave.has_value());
 }
 
 TEST(Quality, TexturesOfTugging)
@@ -401,7 +402,7 @@ TEST(Quality, TexturesOfTugging)
   TuggingCase t;
   t.lower = t.upper = {Paraboloid{1e-3, 1e-3}, steel};
   t.interference = 1e-6;
-  const auto warnings = [&] { return keys(expected_quality(t, plan(t))); };
+  const auto warnings = [&] { return keys(quality::expected(t, plan(t))); };
   EXPECT_EQ(warnings(), Keys{});
   const double cell = plan(t).contact.dy;
   t.upper.texture = Dent{.depth = -1e-7, .edge_radius = 3.5 * cell};
@@ -416,4 +417,4 @@ TEST(Quality, TexturesOfTugging)
 }
 
 } // namespace
-} // namespace brinell::simulation::quality_test
+} // namespace brinell::quality::quality_test

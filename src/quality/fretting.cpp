@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/simulation/fretting.hpp"
-#include "simulation/quality/judgement.hpp"
+#include "of_scenario.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-namespace brinell::simulation
+namespace brinell::quality
 {
 
 namespace
@@ -48,70 +47,6 @@ double error_of_thin_ring(double cells)
   return std::min(1.0, 0.2 / (cells * cells));
 }
 
-// docs/verification/accuracy.md (expected error)
-Facts facts(const FrettingCase& c, const FrettingPlan& plan)
-{
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
-  constexpr Documented::Of elastic = Documented::Of::elastic_contact;
-  Documented heat{.quantity = "heat of friction",
-                  .name = "cycles[*].dissipation_friction_J",
-                  .error = 0.02,
-                  .cells = 8.0,
-                  .order = 1.0,
-                  .of = elastic,
-                  .on_textures = 4.0};
-  const std::optional<double> across = cells_across_ring(c, plan);
-  const bool is_thin = across && *across < fewest_across_ring;
-  Documented slip{.quantity = "slip amplitude",
-                  .name = "cycles[*].slip_amplitude_m",
-                  .error = 0.2,
-                  .cells = 8.0,
-                  .order = 1.0,
-                  .of = elastic};
-  if (across)
-    heat.further = error_of_thin_ring(*across); // 2.9 % with 2.2 cells
-  if (is_thin)
-    slip.further = f.worn_depth.further = f.temperature_rise.further = heat.further;
-  if (c.kind != FrettingCase::Kind::force)
-    f.documented.push_back({.quantity = "largest force along the surface",
-                            .name = "cycles[*].max_force_N",
-                            .error = is_thin ? 0.01 : 0.005,
-                            .cells = 8.0,
-                            .order = 1.0,
-                            .of = elastic,
-                            .on_textures = 2.5});
-  f.documented.push_back(heat);
-  f.documented.push_back({.quantity = "plastic work",
-                          .name = "cycles[*].dissipation_plastic_J",
-                          .error = 0.05,
-                          .cells = 8.0,
-                          .order = 1.0,
-                          .of = Documented::Of::plastic_zone});
-  f.documented.push_back(slip);
-  if (const std::optional<double> ring = slip_ring(c, plan); ring && *ring < 1.0)
-  {
-    constexpr double of_area = 0.05; // a row of cells around the part that sticks
-    f.documented.push_back({.quantity = "stick share",
-                            .name = "cycles[*].stick_share",
-                            .error = of_area / std::pow(1.0 - *ring, 2),
-                            .cells = 8.0,
-                            .order = 1.0,
-                            .of = elastic});
-  }
-  f.slides =
-      c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
-  f.may_stick = !f.slides;
-  if (c.frequency)
-    f.heating_time = 0.5 / *c.frequency;
-  f.while_heated = "in half a cycle";
-  if (!f.slides) // the rim of the contact wears most, and is heated alone
-  {
-    f.worn_depth.error = 0.06;
-    f.temperature_rise.error = temperature_error_of_sticking;
-  }
-  return f;
-}
-
 /// Warning about too few cells across the slip annulus.
 std::optional<Warning> thin_slip(const FrettingCase& c, const FrettingPlan& plan)
 {
@@ -128,14 +63,48 @@ std::optional<Warning> thin_slip(const FrettingCase& c, const FrettingPlan& plan
 
 } // namespace
 
-Quality expected_quality(const FrettingCase& fretting, const FrettingPlan& plan)
+// docs/verification/accuracy.md (expected error)
+template <>
+Facts facts(const FrettingCase& c, const FrettingPlan& plan, const Seen<FrettingCase>& /*seen*/)
 {
-  return quality_before(facts(fretting, plan), thin_slip(fretting, plan));
+  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  constexpr Of elastic = Of::elastic_contact;
+  Documented heat{"heat of friction", "cycles[*].dissipation_friction_J", 0.02, 8.0, 1.0, elastic, 0.0, 4.0};
+  const std::optional<double> across = cells_across_ring(c, plan);
+  const bool is_thin = across && *across < fewest_across_ring;
+  Documented slip{"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0, elastic};
+  if (across)
+    heat.further = error_of_thin_ring(*across); // 2.9 % with 2.2 cells
+  if (is_thin)
+    slip.further = f.worn_depth.further = f.temperature_rise.further = heat.further;
+  if (c.kind != FrettingCase::Kind::force)
+    f.documented.push_back(
+        {"largest force along the surface", "cycles[*].max_force_N", is_thin, 8.0, 1.0, elastic, 0.0, 2.5});
+  f.documented.push_back(heat);
+  f.documented.push_back({"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, Of::plastic_zone});
+  f.documented.push_back(slip);
+  if (const std::optional<double> ring = slip_ring(c, plan); ring && *ring < 1.0)
+  {
+    constexpr double of_area = 0.05; // a row of cells around the part that sticks
+    f.documented.push_back({"stick share", "cycles[*].stick_share", of_area, 8.0, 1.0, elastic});
+  }
+  f.slides =
+      c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;
+  f.may_stick = !f.slides;
+  if (c.frequency)
+    f.heating_time = 0.5 / *c.frequency;
+  f.while_heated = "in half a cycle";
+  if (!f.slides) // the rim of the contact wears most, and is heated alone
+  {
+    f.worn_depth.error = 0.06;
+    f.temperature_rise.error = temperature_error_of_sticking;
+  }
+  f.warning = thin_slip(c, plan);
+  return f;
 }
 
-Quality quality(const FrettingCase& fretting, const FrettingPlan& plan, const RunTotals& totals)
-{
-  return quality_after(facts(fretting, plan), totals, thin_slip(fretting, plan));
-}
+template Quality expected(const FrettingCase&, const FrettingPlan&);
+template Quality judged(const FrettingCase&, const FrettingPlan&, const RunTotals&);
+template Quality judged(const FrettingCase&, const FrettingPlan&, const FrettingSummary&);
 
-} // namespace brinell::simulation
+} // namespace brinell::quality

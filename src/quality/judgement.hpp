@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/simulation/quality.hpp"
-#include "brinell/simulation/scenario.hpp"
+#include "brinell/quality/quality.hpp"
 
 #include <array>
 #include <limits>
@@ -11,10 +10,11 @@
 #include <vector>
 
 /// Derives the `Quality` of a result: each scenario supplies its facts, and the rules are the same for all.
-namespace brinell::simulation
+namespace brinell::quality
 {
 
-/// Documented discretization error of a number with a given number of cells per contact radius, and its order of convergence.
+/// Documented discretization error of a number with a given number of cells per contact radius, and its order of convergence: a
+/// row of the tables in the files of the scenarios.
 struct Documented
 {
   const char* quantity;
@@ -27,13 +27,16 @@ struct Documented
     elastic_contact, ///< of any bodies
     plastic_zone     ///< as finely as the contact
   };
-  Of of = Of::contact;
-  double of_steps = 0.0; ///< further error over that of the plastic work, if steps are few: see error_of_steps
+  Of of;
+  double of_steps = 0.0;    ///< further error over that of the plastic work, if steps are few: see error_of_steps
+  double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
   bool is_of_lower =
       false; ///< a dent of the lower body, whose relative error grows where the upper body has the larger dents
-  double further = 0.0;     ///< further error, which depends neither on the cells nor on the steps
-  double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
+  double further = 0.0; ///< further error, which depends neither on the cells nor on the steps
 };
+
+/// Regions of the rows.
+using Of = Documented::Of;
 
 /// Documented::error of the temperature rise with 8 cells where surfaces stick in places: the heat arises in few cells
 /// at the rim.
@@ -42,20 +45,9 @@ inline constexpr double temperature_error_of_sticking = 0.12;
 /// Facts about a run of any scenario that the rules need.
 struct Facts
 {
-  Documented temperature_rise{.quantity = "temperature rise",
-                              .name = "",
-                              .error = 0.015,
-                              .cells = 8.0,
-                              .order = 1.0,
-                              .of = Documented::Of::elastic_contact,
-                              .of_steps = 0.2}; ///< without sticking
-  Documented worn_depth{.quantity = "worn depth",
-                        .name = "wear.max_depth_*_m",
-                        .error = 0.015,
-                        .cells = 8.0,
-                        .order = 1.0,
-                        .of = Documented::Of::elastic_contact,
-                        .of_steps = 0.3}; ///< without sticking
+  Documented temperature_rise{"temperature rise", "", 0.015, 8.0, 1.0, Of::elastic_contact, 0.2}; ///< without sticking
+  Documented worn_depth{"worn depth", "wear.max_depth_*_m", 0.015, 8.0,
+                        1.0,          Of::elastic_contact,  0.3}; ///< without sticking
   std::vector<Documented> documented;
   bool forgets_if_elastic =
       false; ///< without plastic strain a step does not depend on earlier ones: there is no friction
@@ -74,7 +66,7 @@ struct Facts
   bool is_smooth = false;                  ///< neither body has a texture
   std::optional<double> cells_per_wave;    ///< cells per shortest wave, for rough flats over a period
   std::optional<double> cells_per_texture; ///< cells per shortest wave of any textured bodies; see roughness.hpp
-  std::array<const Texture*, 2> textures{nullptr, nullptr};
+  std::array<const simulation::Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
   bool is_heated = false;  ///< by friction or a source
   bool has_source = false; ///< of heat, other than friction
@@ -93,20 +85,20 @@ struct Facts
   double peak_over_yield = 0.0; ///< see Plan
   bool is_yield_exact = false;  ///< whether that of first yield is exact: of round contacts and endless lines
   elastoplastic::Settings solver;
+  std::optional<Warning> warning{};        ///< of the scenario, before those of the solver
+  std::vector<Warning> further_warnings{}; ///< of the scenario, after all others
 };
 
 /// Facts that follow from bodies, numerics and plan in any scenario.
 /// @param half_x, half_y  half-lengths of the contact, estimates [m]
-[[nodiscard]] Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                             const Plan& plan, double half_x, double half_y);
+[[nodiscard]] Facts facts_of(const simulation::Numerics& numerics, const simulation::ShapedBody& lower,
+                             const simulation::ShapedBody& upper, const simulation::Plan& plan, double half_x,
+                             double half_y);
 
 /// Quality before a run.
-/// @param of_scenario  further warning of the scenario
-[[nodiscard]] Quality quality_before(const Facts& facts, std::optional<Warning> of_scenario = std::nullopt);
+[[nodiscard]] Quality quality_before(const Facts& facts);
 
 /// Quality after a run, from its totals.
-/// @param of_course  further warning of the scenario about the run
-[[nodiscard]] Quality quality_after(const Facts& facts, const RunTotals& totals,
-                                    std::optional<Warning> of_course = std::nullopt);
+[[nodiscard]] Quality quality_after(const Facts& facts, const simulation::RunTotals& totals);
 
-} // namespace brinell::simulation
+} // namespace brinell::quality
