@@ -12,6 +12,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace brinell::app
 {
@@ -139,16 +140,17 @@ private:
     }
   }
 
+  /// @param wanted  relative size of the cells
   /// @returns false if a finer run is not possible, so that the previous one is the result
-  bool next(int number, double cells)
+  bool next(int number, double wanted)
   {
-    const io::Case c = io::with_cells(case_, cells);
     const bool resume = options_.mode == Mode::resume;
-    const bool may_fail = number > 3 && cells < 1.0; // the series has a result already
-    const LevelsBefore before{cells, done_};
+    const bool may_fail = number > 3 && wanted < 1.0; // the series has a result already
     try
     {
-      const io::ScenarioPlan plan = io::plan_case(c);
+      const auto [cells, plan] = finer_plan(wanted);
+      const io::Case c = io::with_cells(case_, cells);
+      const LevelsBefore before{cells, done_};
       if (resume)
         if (const auto level = finished_level(folder_of(number), c, plan, cells); level && reuse(number, c, *level))
           return true;
@@ -200,6 +202,19 @@ private:
     done_ = std::move(levels);
     accuracy_ = std::move(accuracy);
     return true;
+  }
+
+  /// Plan with cells of a relative size, or of one that is so much smaller that dx is less than in the previous run: where a way
+  /// is only a few cells long, the cells that fit it are the same for a range of sizes.
+  [[nodiscard]] std::pair<double, io::ScenarioPlan> finer_plan(double cells) const
+  {
+    constexpr double less = 0.95;
+    const auto dx = [](const io::ScenarioPlan& any)
+    { return std::visit([](const auto& plan) { return plan.contact.dx; }, any); };
+    for (;; cells *= less)
+      if (io::ScenarioPlan plan = io::plan_case(io::with_cells(case_, cells));
+          done_.empty() || dx(plan) < done_.back().spacing[0])
+        return {cells, std::move(plan)};
   }
 
   const io::Case& case_;

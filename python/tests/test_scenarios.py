@@ -368,3 +368,23 @@ def test_shape_and_material_in_the_wrong_order_are_told() -> None:
     for swapped in (lambda: brinell.Body(STEEL, brinell.Sphere("1 mm")), lambda: brinell.Body(brinell.RIGID, STEEL)):
         with pytest.raises(brinell.InputError, match="the shape comes first, as in brinell.Body"):
             swapped()
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning", "ignore::brinell.CaseWarning")
+def test_a_distance_that_given_cells_do_not_fit_is_told() -> None:
+    flat = brinell.Body(brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("900 MPa", "5 GPa")))
+    ball = brinell.Body(brinell.Sphere("1 mm"), brinell.RIGID)
+
+    def told(scenario: type, distance: str, **grid: Any) -> list[str]:
+        case = scenario(flat, ball, load="2 N", distance=distance, grid=grid)
+        return [warning.text for warning in case.warnings if warning.key == "rounded_distance"]
+
+    given = {"spacing": ["4 um", "4 um", "2 um"]}
+    (text,) = told(brinell.Rolling, "0.404 mm", **given)
+    assert "no even number of steps of 4e-06 m, so that 0.000408 m are computed" in text
+    (text,) = told(brinell.Sliding, "0.0415 mm", **given)
+    assert "no whole number of steps of 4e-06 m, so that 4e-05 m are computed" in text
+    for scenario, distance in ((brinell.Rolling, "0.4 mm"), (brinell.Sliding, "0.404 mm")):
+        assert told(scenario, distance, **given) == []
+    for scenario in (brinell.Rolling, brinell.Sliding):
+        assert told(scenario, "0.123 mm", resolution=6) == []

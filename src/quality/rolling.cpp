@@ -135,7 +135,7 @@ std::vector<Documented> documented_of_passes(const RollingCase& c, const Rolling
   if (!hardly_resists(c, passes))
     errors.push_back(resistance_to_rolling);
   errors.push_back(dissipation);
-  errors.back().further = std::abs(plan.rolling_steps * plan.shift / c.distance - 1.0); // length of the track
+  errors.back().further = std::abs(plan.way() / c.distance - 1.0); // length of the track
   if (!is_plane)
   {
     errors.insert(errors.end(), std::begin(of_rolled_points), std::end(of_rolled_points));

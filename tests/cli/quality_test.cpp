@@ -222,6 +222,33 @@ TEST_F(QualityOfRuns, AccuracyRunsASeries)
             file_text(folder() / "out" / "accuracy" / "1" / "resolved.toml"));
 }
 
+TEST_F(QualityOfRuns, CellsThatFitAShortTrackFallFromRunToRun)
+{
+  // Two cells to the radius, and 2.8, fit this track with the same six; the elastic radius is 25.3 micrometres.
+  write("track.toml", R"(scenario = "rolling"
+lower = {shape = {type = "flat"}, material = {young_modulus = "210 GPa", poisson_ratio = 0.3}}
+upper = {shape = {type = "sphere", radius = "1 mm"}, material = {rigid = true}}
+rolling = {load = "5 N", distance = "53.2 um", load_steps = 1}
+grid = {resolution = 4}
+)");
+  const Outcome series = run({"run", "track.toml", "-o", "out", "-q", "--accuracy", "50%"});
+  ASSERT_EQ(series.exit_code, 0) << series.err;
+  const Json read = summary();
+  const Json& runs = read.at("accuracy").at("runs");
+  ASSERT_GE(runs.size(), 3u);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    const double dx = runs[i].at("spacing_m")[0];
+    const double cells = 53.2e-6 / dx;
+    EXPECT_NEAR(cells, std::round(cells), 1e-6);
+    if (i > 0)
+    {
+      EXPECT_LT(dx, (1.0 - 1e-6) * runs[i - 1].at("spacing_m")[0].get<double>());
+      EXPECT_LT(runs[i].at("cells").get<double>(), runs[i - 1].at("cells").get<double>());
+    }
+  }
+}
+
 TEST_F(QualityOfRuns, AnIntervalThatContainsZeroIsTold)
 {
   const Outcome series = run({"run", "case.toml", "-o", "out", "--set", "grid.resolution=3", "--set",

@@ -58,6 +58,8 @@ struct RollingPlan : Plan
   double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
   double shift = 0.0;                            ///< on the lower body per step [m]
   int rolling_steps = 0;                         ///< number of steps that roll, in each pass
+  /// Length of the track that is rolled [m]: `RollingCase::distance`, unless given cells make it another one.
+  [[nodiscard]] double way() const { return rolling_steps * shift; }
 };
 
 /// One row of the history.

@@ -40,6 +40,8 @@ struct SlidingPlan : Plan
   double half_width_x = 0.0, half_width_y = 0.0; ///< of the contact, estimate [m]
   double shift = 0.0;                            ///< sliding distance of a step [m]
   int sliding_steps = 0;                         ///< number of steps that slide, in each stroke
+  /// Length of a stroke [m]: `SlidingCase::distance`, unless given cells or a period make it another one.
+  [[nodiscard]] double way() const { return sliding_steps * shift; }
   /// Mean gap at which the undeformed surfaces first touch, before they slide [m]: for bodies that are periodic along both axes;
   /// NaN for others.
   double touching_gap = 0.0;

@@ -169,8 +169,9 @@ class Rolling(ScenarioCase):
         Args:
             lower: The body that is rolled over.
             upper: The rolling body.
-            distance: Length of the track on the lower body, from -distance/2 to distance/2; in an even number of steps.
-                In m, > 0.
+            distance: Length of the track on the lower body, from -distance/2 to distance/2, in an even number of steps
+                that dx is made to fit. Where cells or a shift that the case gives do not fit, a warning names the
+                length that is rolled. In m, > 0.
             load: Load kept while rolling. In N, > 0.
             hertz_pressure: Peak pressure of the elastic contact (Hertz) that defines the load, instead of a load. In
                 Pa, > 0.
@@ -300,8 +301,9 @@ class Sliding(ScenarioCase):
         Args:
             lower: The body at rest: a `Flat`, with or without a texture.
             upper: The sliding body: also a `Flat`, on a grid that is periodic along both axes, or a ball or roller.
-            distance: Sliding distance of the upper body along x over the lower one in each stroke; rounded to whole
-                steps. In m, > 0.
+            distance: Sliding distance of the upper body along x over the lower one in each stroke, in whole steps that
+                dx is made to fit. Where a period, or cells or a shift that the case gives do not fit, a warning names
+                the distance that is slid. In m, > 0.
             load: Load that is applied first and kept while sliding. In N, > 0.
             pressure: Mean pressure over the period, instead of a load; with grid.boundary = "periodic". In Pa, > 0.
             mean_gap: Mean gap of the deformed surfaces over the period, instead of a load; with grid.boundary =

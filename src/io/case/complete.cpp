@@ -223,6 +223,21 @@ void check_stride(const CaseReader& reader, const Case& c, const SurfaceGrid& gr
       reader.add("output.stride", "does not divide the {} cells of a period; allowed: a divisor", cells);
 }
 
+/// Warns of a distance that is no whole number of steps.
+template <typename ScenarioCase, typename Plan>
+void warn_of_other_way(Case& c, const ScenarioCase& scenario, const Plan& plan)
+{
+  constexpr double rounding = 1e-6;
+  if (std::abs(plan.way() - scenario.distance) <= rounding * scenario.distance)
+    return;
+  const std::string_view name = io_of(scenario).name;
+  warn(
+      c, "rounded_distance",
+      "{0}.distance = {1:.6g} m is no {2} number of steps of {3:.6g} m, so that {4:.6g} m are computed; {0}.distance = "
+      "{4:.6g}, or cells from grid.resolution without a shift, which fit the distance, leave no difference",
+      name, scenario.distance, name == "rolling" ? "even" : "whole", plan.shift, plan.way());
+}
+
 /// Makes the plan, which detects absurd grids and inconsistent lengths (reported at `key`). With the size of the contact from the
 /// plan it checks that the bodies can be treated as half spaces, and that neither cells nor steps are larger than the contact.
 template <typename ScenarioCase>
@@ -238,6 +253,8 @@ void check_plan(const CaseReader& reader, Case& c, const ScenarioCase& scenario)
     if (const auto reason = quality::reason_against_cells(*scenario.spacing, half_x, rows))
       reader.problems.add(c.grid_source, *reason);
   check_stride(reader, c, plan.contact);
+  if constexpr (requires { plan.way(); })
+    warn_of_other_way(c, scenario, plan);
   if constexpr (requires { scenario.shift; })
     if (scenario.shift)
       if (const auto reason = quality::reason_against_shift(*scenario.shift, half_x))

@@ -65,12 +65,15 @@ std::vector<Entry> motion_keys()
       drive("hertz_pressure", kind::pressure, Drive::Kind::load,
             "Peak pressure of the elastic contact (Hertz) that defines the load, instead of a load."),
       drive("approach", kind::length, Drive::Kind::approach, "Approach kept while rolling, instead of a load."),
-      bound({.key = "rolling.distance",
-             .of = kind::length.above(0.0),
-             .required = true,
-             .text =
-                 "Length of the track on the lower body, from -distance/2 to distance/2; in an even number of steps."},
-            &RollingCase::distance),
+      bound(
+          {.key = "rolling.distance",
+           .of = kind::length.above(0.0),
+           .required = true,
+           .text =
+               "Length of the track on the lower body, from -distance/2 to distance/2, in an even number of steps that "
+               "dx is made to fit. Where cells or a shift that the case gives do not fit, a warning names the length "
+               "that is rolled."},
+          &RollingCase::distance),
       bound({.key = "rolling.shift",
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",

@@ -36,13 +36,14 @@ std::vector<Entry> sliding_keys()
              .text =
                  "Number of steps in which the bodies are pressed together before sliding, and lifted off afterwards."},
             &SlidingCase::press_steps),
-      bound(
-          {.key = "sliding.distance",
-           .of = kind::length.above(0.0),
-           .required = true,
-           .text =
-               "Sliding distance of the upper body along x over the lower one in each stroke; rounded to whole steps."},
-          &SlidingCase::distance),
+      bound({.key = "sliding.distance",
+             .of = kind::length.above(0.0),
+             .required = true,
+             .text =
+                 "Sliding distance of the upper body along x over the lower one in each stroke, in whole steps that dx "
+                 "is made to fit. Where a period, or cells or a shift that the case gives do not fit, a warning names "
+                 "the distance that is slid."},
+            &SlidingCase::distance),
       bound({.key = "sliding.shift",
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",

@@ -29,7 +29,7 @@ class Rolling
 {
 public:
   Rolling(const RollingCase& rolling, const RollingPlan& plan)
-      : case_(rolling), plan_(plan), share_(upper_share(rolling)), track_(rolling.distance, plan.shift)
+      : case_(rolling), plan_(plan), share_(upper_share(rolling)), track_(plan.way(), plan.shift)
   {
     previous_.x = moment(0.0).x;
   }
@@ -126,7 +126,7 @@ public:
     archive("touch", touch_);
     archive("pass", pass_, 0, case_.passes);
     archive("step_in_pass", step_in_pass_, 0, steps_per_pass() - 1);
-    if (archive.gives() && !(std::abs(previous_.x) <= case_.distance))
+    if (archive.gives() && !(std::abs(previous_.x) <= plan_.way()))
       throw InputError("the stored state has a place that is not on the track");
   }
 
@@ -152,7 +152,7 @@ private:
   [[nodiscard]] TangentialDrive along(double x) const
   {
     const Creepage creepage = case_.creepage.value_or(Creepage{});
-    const double track = plan_.rolling_steps * plan_.shift;
+    const double track = plan_.way();
     const double rolled = pass_ * track + (x + 0.5 * track);
     return {{TangentialDrive::Kind::shift, creepage.longitudinal * rolled},
             {TangentialDrive::Kind::shift, creepage.lateral * rolled},

@@ -61,16 +61,12 @@ void require_creepage(const RollingCase& rolling, double half)
                     spin);
 }
 
-/// The shift of a run with creepage: whole cells, because the history of stick and slip is moved by whole cells. A shift that was
-/// written with four digits or more of such a multiple is this multiple.
-double whole_shift(double shift, double cell)
+/// Checks that the shift of a run with creepage is whole cells, by which the history of stick and slip is moved.
+void require_whole_shift(const RollingCase& rolling, double cell)
 {
-  constexpr double rounding = 1e-4;
-  const double cells = shift / cell, whole = std::round(cells);
-  if (!(std::abs(cells - whole) <= rounding * cells && whole > 0.0))
-    throw PlanError("`RollingCase::shift` = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m", shift,
-                    cell);
-  return whole * cell;
+  if (rolling.creepage && rolling.shift && !whole_cells(*rolling.shift, cell))
+    throw PlanError("`RollingCase::shift` = {:g} m with creepage; allowed: whole multiples of the cell, {:g} m",
+                    *rolling.shift, cell);
 }
 
 halfspace::HeatTimes heat_times(const RollingCase& rolling, const RollingPlan& plan)
@@ -90,7 +86,7 @@ double way_of_load_step(const RollingCase& rolling, const RollingPlan& plan)
 
 double way_of_pass(const RollingCase& rolling, const RollingPlan& plan)
 {
-  return 2.0 * (rolling.load_steps * way_of_load_step(rolling, plan) + plan.rolling_steps * plan.shift);
+  return 2.0 * (rolling.load_steps * way_of_load_step(rolling, plan) + plan.way());
 }
 
 double upper_share(const RollingCase& rolling)
@@ -120,20 +116,20 @@ RollingPlan plan(const RollingCase& rolling)
   RollingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
-  plan.shift = rolling.shift.value_or(cell_sizes(rolling, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
-  if (!(plan.shift <= 0.5 * rolling.distance))
+  const std::array<double, 3> cells = cell_sizes(rolling, {f.half_x, f.half_y, f.straight_y}, 1.0);
+  if (const double shift = rolling.shift.value_or(cells[0]); !(shift <= 0.5 * rolling.distance))
     throw InputError(
-        fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", plan.shift, rolling.distance));
-  // An even number, so that a step ends at the middle of the track.
-  plan.rolling_steps =
-      2 * std::max(1, step_count(std::round(0.5 * rolling.distance / plan.shift), "`RollingCase::distance`"));
-  const double track = 0.5 * plan.rolling_steps * plan.shift;
+        fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", shift, rolling.distance));
+  constexpr int even = 2; // so that a step ends at the middle of the track
+  const StepsOnWay steps = steps_on_way(rolling, cells, rolling.shift, rolling.distance, even, "`RollingCase::distance`");
+  plan.shift = steps.shift;
+  plan.rolling_steps = steps.count;
+  const double track = 0.5 * plan.way();
   plan.surfaces_only = needs_surfaces_only(rolling, rolling.lower, rolling.upper);
-  lay_out(rolling, f, track, upper_share(rolling) * track, plan);
+  lay_out(rolling, steps.cells, f, track, upper_share(rolling) * track, plan);
   require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
   require_source_fits(rolling, plan.contact);
-  if (rolling.creepage)
-    plan.shift = whole_shift(plan.shift, plan.contact.dx);
+  require_whole_shift(rolling, plan.contact.dx);
   plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "`RollingCase::passes`");

@@ -142,13 +142,15 @@ SlidingPlan plan(const SlidingCase& sliding)
   SlidingPlan plan;
   plan.half_width_x = f.half_x;
   plan.half_width_y = f.half_y;
-  plan.shift = sliding.shift.value_or(cell_sizes(sliding, {f.half_x, f.half_y, f.straight_y}, 1.0)[0]);
-  if (!(plan.shift > 0.0 && plan.shift <= sliding.distance))
-    throw PlanError("`SlidingCase::shift` = {:g} m; allowed: > 0, up to `SlidingCase::distance` = {:g} m", plan.shift,
+  const std::array<double, 3> cells = cell_sizes(sliding, {f.half_x, f.half_y, f.straight_y}, 1.0);
+  if (const double shift = sliding.shift.value_or(cells[0]); !(shift > 0.0 && shift <= sliding.distance))
+    throw PlanError("`SlidingCase::shift` = {:g} m; allowed: > 0, up to `SlidingCase::distance` = {:g} m", shift,
                     sliding.distance);
-  plan.sliding_steps = std::max(1, step_count(std::round(sliding.distance / plan.shift), "`SlidingCase::distance`"));
+  const StepsOnWay steps = steps_on_way(sliding, cells, sliding.shift, sliding.distance, 1, "`SlidingCase::distance`");
+  plan.shift = steps.shift;
+  plan.sliding_steps = steps.count;
   plan.surfaces_only = needs_surfaces_only(sliding, sliding.lower, sliding.upper);
-  lay_out(sliding, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
+  lay_out(sliding, steps.cells, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
   require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
   require_source_fits(sliding, plan.contact);
   plan.reference = reference_distance(sliding.lower.shape, sliding.upper.shape, sliding.domain);

@@ -357,6 +357,12 @@ bool needs_surfaces_only(const Numerics& numerics, const ShapedBody& lower, cons
 
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
 {
+  lay_out(numerics, cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0), f, track_lower, track_upper, plan);
+}
+
+void lay_out(const Numerics& numerics, const std::array<double, 3>& cells, const Footprint& f, double track_lower,
+             double track_upper, Plan& plan)
+{
   const double scale = numerics.extent;
   const double width = f.endless_y ? f.half_x : std::min(f.half_x, f.half_y); // half-width that determines the depth
   const double plastic = 0.3 * width + 0.85 * f.plastic_reach;
@@ -365,7 +371,7 @@ void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, d
   Extents extents{scale * 1.6 * f.over_x, scale * reach_y, track_lower + scale * reach_x, track_upper + scale * reach_x,
                   scale * f.depth};
   cover(numerics.heat.source, extents);
-  lay_out(cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0), extents, numerics.domain, plan);
+  lay_out(cells, extents, numerics.domain, plan);
   plan.contact_share = f.contact_share;
   // Lower limit: smaller changes of displacement would be lost in the tolerance of the contact.
   const auto resolved = [&](double approach) { return std::clamp(approach, 1e-2 * f.approach, f.approach); };

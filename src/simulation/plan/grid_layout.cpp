@@ -49,6 +49,16 @@ void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>
   }
 }
 
+/// Cell sizes with which a way is an even number of cells along x: dx becomes shorter, unless the case gives the cells or a
+/// period determines them. dy and the layers stay.
+std::array<double, 3> fitted_to_way(const Numerics& numerics, std::array<double, 3> cells, double way)
+{
+  constexpr double rounding = 1e-9;
+  if (!numerics.spacing && !numerics.domain.x.is_periodic())
+    cells[0] = way / (2.0 * std::max(1.0, std::ceil(way / (2.0 * cells[0]) - rounding)));
+  return cells;
+}
+
 int cells_in(const Domain::Axis& axis, double cell)
 {
   return static_cast<int>(std::lround(axis.size / cell));
@@ -109,6 +119,28 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
   if (!(longest / finest < most_cells))
     throw GridError(fmt::format("grid: cells of {:g} m are too small for a contact of {:g} m", finest, longest));
   return spacing;
+}
+
+StepsOnWay steps_on_way(const Numerics& numerics, const std::array<double, 3>& cells, std::optional<double> shift,
+                        double way, int multiple, const std::string& key)
+{
+  StepsOnWay on_way{fitted_to_way(numerics, cells, way)};
+  if (shift && !whole_cells(*shift, on_way.cells[0]))
+    on_way.cells = cells;
+  const double dx = on_way.cells[0];
+  const std::optional<double> whole = whole_cells(shift.value_or(dx), dx);
+  on_way.shift = whole ? *whole * dx : *shift;
+  on_way.count = multiple * std::max(1, step_count(std::round(way / (multiple * on_way.shift)), key));
+  if (!whole) // the surfaces are interpolated in any case
+    on_way.shift = way / on_way.count;
+  return on_way;
+}
+
+std::optional<double> whole_cells(double shift, double cell)
+{
+  constexpr double rounding = 1e-4; // of a shift that was written with four digits or more
+  const double cells = shift / cell, whole = std::round(cells);
+  return whole > 0.0 && std::abs(cells - whole) <= rounding * cells ? std::optional(whole) : std::nullopt;
 }
 
 void cover(const elastoplastic::HeatSource& source, Extents& e)

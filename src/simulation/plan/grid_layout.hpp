@@ -20,6 +20,28 @@ struct ContactSize
 /// @throws GridError; PlanError if a period is not a whole number of given cells
 [[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
 
+/// Cells of a contact that moves along a way, and the steps in which it does.
+struct StepsOnWay
+{
+  std::array<double, 3> cells{}; ///< [m]
+  double shift = 0.0;            ///< distance of a step [m]
+  int count = 0;
+};
+
+/// Steps that end where the way does. A step is one cell, and cells that follow from a resolution are chosen such that an even
+/// number of them is the way; a given shift that is no whole number of cells is chosen so instead. Given cells, those of a period,
+/// and a given shift of whole cells stay, and the number of steps is rounded.
+/// @param cells     of `cell_sizes`
+/// @param shift     distance of a step, if it is given [m]
+/// @param multiple  of which the number of steps is one
+/// @param key       of the way, for messages
+/// @throws KeyError if there are too many steps
+[[nodiscard]] StepsOnWay steps_on_way(const Numerics& numerics, const std::array<double, 3>& cells,
+                                      std::optional<double> shift, double way, int multiple, const std::string& key);
+
+/// Number of cells of a shift that is whole cells, with which surfaces are not interpolated; none of another shift.
+[[nodiscard]] std::optional<double> whole_cells(double shift, double cell);
+
 /// Half-lengths around the middle of each grid, and depth, that the grids have to cover [m].
 struct Extents
 {

@@ -217,19 +217,19 @@ TEST(Quality, StepsAndTolerancesAndSizes)
 TEST(Quality, TexturesFinerThanTheCells)
 {
   RollingCase c = ball_on_flat();
-  const double cell = plan(c).contact.dx;
+  const double cell = plan(c).contact.dx, row = plan(c).contact.dy;
   c.lower.texture = Dent{0.0, 0.0, 1e-6, 3.0 * cell};
   EXPECT_EQ(before(c).front(), "coarse_texture");
   EXPECT_EQ(after(c, good_totals(c)).front(), "coarse_texture");
   c.lower.texture = Dent{0.0, 0.0, 1e-6, 5.0 * cell};
   EXPECT_EQ(before(c), Keys{});
-  c.upper.texture = HeightMap{3, 3, 0.5 * cell, cell, 0.0, 0.0, std::vector<double>(9, 0.0)};
+  c.upper.texture = HeightMap{3, 3, 0.5 * cell, row, 0.0, 0.0, std::vector<double>(9, 0.0)};
   EXPECT_EQ(before(c), Keys{"coarse_texture"});
-  c.upper.texture = HeightMap{3, 3, cell, cell, 0.0, 0.0, std::vector<double>(9, 0.0)};
+  c.upper.texture = HeightMap{3, 3, cell, row, 0.0, 0.0, std::vector<double>(9, 0.0)};
   EXPECT_EQ(before(c), Keys{});
   const auto measured = [&](double cells_per_wave)
   {
-    HeightMap map{100, 20, cell, cell, 0.0, 0.0, {}};
+    HeightMap map{100, 20, cell, row, 0.0, 0.0, {}};
     for (int i = 0; i < 2000; ++i)
       map.heights.push_back(1e-8 * std::cos(2.0 * std::numbers::pi * (i % 100) / cells_per_wave));
     return map;
