@@ -69,24 +69,50 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan, const Seen<Fretting
 {
   Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
   constexpr Of elastic = Of::elastic_contact;
-  Documented heat{"heat of friction", "cycles[*].dissipation_friction_J", 0.02, 8.0, 1.0, elastic, 0.0, 4.0};
+  Documented heat{.quantity = "heat of friction",
+                  .name = "cycles[*].dissipation_friction_J",
+                  .error = 0.02,
+                  .cells = 8.0,
+                  .order = 1.0,
+                  .of = elastic,
+                  .on_textures = 4.0};
   const std::optional<double> across = cells_across_ring(c, plan);
   const bool is_thin = across && *across < fewest_across_ring;
-  Documented slip{"slip amplitude", "cycles[*].slip_amplitude_m", 0.2, 8.0, 1.0, elastic};
+  Documented slip{.quantity = "slip amplitude",
+                  .name = "cycles[*].slip_amplitude_m",
+                  .error = 0.2,
+                  .cells = 8.0,
+                  .order = 1.0,
+                  .of = elastic};
   if (across)
     heat.further = error_of_thin_ring(*across); // 2.9 % with 2.2 cells
   if (is_thin)
     slip.further = f.worn_depth.further = f.temperature_rise.further = heat.further;
   if (c.kind != FrettingCase::Kind::force)
-    f.documented.push_back(
-        {"largest force along the surface", "cycles[*].max_force_N", is_thin, 8.0, 1.0, elastic, 0.0, 2.5});
+    f.documented.push_back({.quantity = "largest force along the surface",
+                            .name = "cycles[*].max_force_N",
+                            .error = is_thin ? 0.01 : 0.005,
+                            .cells = 8.0,
+                            .order = 1.0,
+                            .of = elastic,
+                            .on_textures = 2.5});
   f.documented.push_back(heat);
-  f.documented.push_back({"plastic work", "cycles[*].dissipation_plastic_J", 0.05, 8.0, 1.0, Of::plastic_zone});
+  f.documented.push_back({.quantity = "plastic work",
+                          .name = "cycles[*].dissipation_plastic_J",
+                          .error = 0.05,
+                          .cells = 8.0,
+                          .order = 1.0,
+                          .of = Documented::Of::plastic_zone});
   f.documented.push_back(slip);
   if (const std::optional<double> ring = slip_ring(c, plan); ring && *ring < 1.0)
   {
     constexpr double of_area = 0.05; // a row of cells around the part that sticks
-    f.documented.push_back({"stick share", "cycles[*].stick_share", of_area, 8.0, 1.0, elastic});
+    f.documented.push_back({.quantity = "stick share",
+                            .name = "cycles[*].stick_share",
+                            .error = of_area / std::pow(1.0 - *ring, 2),
+                            .cells = 8.0,
+                            .order = 1.0,
+                            .of = elastic});
   }
   f.slides =
       c.kind == FrettingCase::Kind::shift && plan.sliding_displacement > 0.0 && c.amplitude > plan.sliding_displacement;

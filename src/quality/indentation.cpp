@@ -18,29 +18,107 @@ namespace
 using contact::Drive;
 
 // docs/verification/accuracy.md (expected error)
-constexpr Documented load{"load", "indents[*].max_load_N", 0.014, 5.0, 2.0, Of::elastic_contact, 0.05, 0.3};
-constexpr Documented documented[] = {
-    {"residual depth", "indents[*].residual_depth_m", 0.022, 5.6, 1.5, Of::plastic_zone, 0.06, 3.0, true},
-    {"hardness", "indents[*].hardness_Pa", 0.06, 5.6, 1.0, Of::elastic_contact, 0.04},
-    {"pile-up", "indents[*].pile_up_m", 0.065, 5.6, 1.5, Of::plastic_zone, 0.08, 1.0, true},
-    {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone},
-    {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.09, 8.0, 1.0, Of::contact, 0.1}};
+constexpr Documented load{.quantity = "load",
+                          .name = "indents[*].max_load_N",
+                          .error = 0.014,
+                          .cells = 5.0,
+                          .order = 2.0,
+                          .of = Of::elastic_contact,
+                          .of_steps = 0.05,
+                          .on_textures = 0.3};
+constexpr Documented documented[] = {{.quantity = "residual depth",
+                                      .name = "indents[*].residual_depth_m",
+                                      .error = 0.022,
+                                      .cells = 5.6,
+                                      .order = 1.5,
+                                      .of = Of::plastic_zone,
+                                      .of_steps = 0.06,
+                                      .is_of_lower = true,
+                                      .on_textures = 3.0},
+                                     {.quantity = "hardness",
+                                      .name = "indents[*].hardness_Pa",
+                                      .error = 0.06,
+                                      .cells = 5.6,
+                                      .order = 1.0,
+                                      .of = Of::elastic_contact,
+                                      .of_steps = 0.04},
+                                     {.quantity = "pile-up",
+                                      .name = "indents[*].pile_up_m",
+                                      .error = 0.065,
+                                      .cells = 5.6,
+                                      .order = 1.5,
+                                      .of = Of::plastic_zone,
+                                      .of_steps = 0.08,
+                                      .is_of_lower = true},
+                                     {.quantity = "residual stress at a depth",
+                                      .name = "",
+                                      .error = 0.05,
+                                      .cells = 8.0,
+                                      .order = 1.5,
+                                      .of = Of::plastic_zone},
+                                     {.quantity = "largest plastic strain",
+                                      .name = "residual.max_equivalent_plastic_strain",
+                                      .error = 0.09,
+                                      .cells = 8.0,
+                                      .order = 1.0,
+                                      .of = Of::contact,
+                                      .of_steps = 0.1}};
 /// Under a tip, whose largest strain grows without bound as cells get finer.
-constexpr Documented documented_of_tips[] = {
-    {"residual depth", "indents[*].residual_depth_m", 0.08, 5.6, 1.0, Of::plastic_zone, 0.06, 1.0, true},
-    {"hardness", "indents[*].hardness_Pa", 0.08, 5.6, 2.0, Of::elastic_contact, 0.1},
-    {"pile-up", "indents[*].pile_up_m", 0.1, 5.6, 1.5, Of::plastic_zone, 0.3, 1.0, true},
-    {"residual stress at a depth", "", 0.05, 8.0, 1.5, Of::plastic_zone}};
+constexpr Documented documented_of_tips[] = {{.quantity = "residual depth",
+                                              .name = "indents[*].residual_depth_m",
+                                              .error = 0.08,
+                                              .cells = 5.6,
+                                              .order = 1.0,
+                                              .of = Of::plastic_zone,
+                                              .of_steps = 0.06,
+                                              .is_of_lower = true},
+                                             {.quantity = "hardness",
+                                              .name = "indents[*].hardness_Pa",
+                                              .error = 0.08,
+                                              .cells = 5.6,
+                                              .order = 2.0,
+                                              .of = Of::elastic_contact,
+                                              .of_steps = 0.1},
+                                             {.quantity = "pile-up",
+                                              .name = "indents[*].pile_up_m",
+                                              .error = 0.1,
+                                              .cells = 5.6,
+                                              .order = 1.5,
+                                              .of = Of::plastic_zone,
+                                              .of_steps = 0.3,
+                                              .is_of_lower = true},
+                                             {.quantity = "residual stress at a depth",
+                                              .name = "",
+                                              .error = 0.05,
+                                              .cells = 8.0,
+                                              .order = 1.5,
+                                              .of = Of::plastic_zone}};
 
 /// Of textured bodies only, whose peaks of pressure stand on summits and shoulders.
-constexpr Documented documented_of_textures[] = {
-    {"largest pressure", "", 0.045, 8.0, 1.0, Of::elastic_contact, 0.02},
-    {"plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Of::plastic_zone, 1.0}};
+constexpr Documented documented_of_textures[] = {{.quantity = "largest pressure",
+                                                  .name = "",
+                                                  .error = 0.045,
+                                                  .cells = 8.0,
+                                                  .order = 1.0,
+                                                  .of = Of::elastic_contact,
+                                                  .of_steps = 0.02},
+                                                 {.quantity = "plastic work",
+                                                  .name = "energy.dissipation_*er_J",
+                                                  .error = 0.065,
+                                                  .cells = 8.0,
+                                                  .order = 1.0,
+                                                  .of = Of::plastic_zone,
+                                                  .of_steps = 1.0}};
 
 /// Of the power law through the largest load.
 Documented loading_stiffness(bool is_tip)
 {
-  Documented error{"loading stiffness", "indents[*].loading_stiffness_N_per_m", 0.012, 6.5, 1.5, Of::elastic_contact};
+  Documented error{.quantity = "loading stiffness",
+                   .name = "indents[*].loading_stiffness_N_per_m",
+                   .error = 0.012,
+                   .cells = 6.5,
+                   .order = 1.5,
+                   .of = Of::elastic_contact};
   error.on_textures = 1.5;
   if (is_tip)
     error.error = 0.04;

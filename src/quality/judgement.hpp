@@ -27,12 +27,12 @@ struct Documented
     elastic_contact, ///< of any bodies
     plastic_zone     ///< as finely as the contact
   };
-  Of of;
-  double of_steps = 0.0;    ///< further error over that of the plastic work, if steps are few: see error_of_steps
-  double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
+  Of of = Of::contact;
+  double of_steps = 0.0; ///< further error over that of the plastic work, if steps are few: see error_of_steps
   bool is_of_lower =
       false; ///< a dent of the lower body, whose relative error grows where the upper body has the larger dents
-  double further = 0.0; ///< further error, which depends neither on the cells nor on the steps
+  double further = 0.0;     ///< further error, which depends neither on the cells nor on the steps
+  double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
 };
 
 /// Regions of the rows.
@@ -45,9 +45,20 @@ inline constexpr double temperature_error_of_sticking = 0.12;
 /// Facts about a run of any scenario that the rules need.
 struct Facts
 {
-  Documented temperature_rise{"temperature rise", "", 0.015, 8.0, 1.0, Of::elastic_contact, 0.2}; ///< without sticking
-  Documented worn_depth{"worn depth", "wear.max_depth_*_m", 0.015, 8.0,
-                        1.0,          Of::elastic_contact,  0.3}; ///< without sticking
+  Documented temperature_rise{.quantity = "temperature rise",
+                              .name = "",
+                              .error = 0.015,
+                              .cells = 8.0,
+                              .order = 1.0,
+                              .of = Documented::Of::elastic_contact,
+                              .of_steps = 0.2}; ///< without sticking
+  Documented worn_depth{.quantity = "worn depth",
+                        .name = "wear.max_depth_*_m",
+                        .error = 0.015,
+                        .cells = 8.0,
+                        .order = 1.0,
+                        .of = Documented::Of::elastic_contact,
+                        .of_steps = 0.3}; ///< without sticking
   std::vector<Documented> documented;
   bool forgets_if_elastic =
       false; ///< without plastic strain a step does not depend on earlier ones: there is no friction

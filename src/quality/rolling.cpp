@@ -15,28 +15,110 @@ namespace
 {
 
 // docs/verification/accuracy.md (expected error)
-constexpr Documented rut{"rut", "passes[*].rut_depth_m", 0.06, 4.0, 1.5, Of::contact, 0.3, 2.5, true};
+constexpr Documented rut{.quantity = "rut",
+                         .name = "passes[*].rut_depth_m",
+                         .error = 0.06,
+                         .cells = 4.0,
+                         .order = 1.5,
+                         .of = Documented::Of::contact,
+                         .of_steps = 0.3,
+                         .is_of_lower = true,
+                         .on_textures = 2.5};
 /// The rut of a line contact is the small difference of large strains, of first order: the more so the larger the shear.
-constexpr Documented rut_of_line{"rut", "passes[*].rut_depth_m", 0.07, 8.0, 1.0, Of::contact, 0.3, 3.0, true};
-constexpr Documented rut_of_sliding_line{"rut", "passes[*].rut_depth_m", 0.16, 8.0, 1.0, Of::contact, 0.3, 3.0, true};
-constexpr Documented resistance_to_rolling{"resistance", "passes[*].resistance_N", 0.08, 4.0, 1.5, Of::contact, 1.0,
-                                           1.3};
-constexpr Documented dissipation{"dissipation", "passes[*].dissipation_J", 0.09, 4.0, 1.5, Of::contact, 1.0, 1.2};
+constexpr Documented rut_of_line{.quantity = "rut",
+                                 .name = "passes[*].rut_depth_m",
+                                 .error = 0.07,
+                                 .cells = 8.0,
+                                 .order = 1.0,
+                                 .of = Documented::Of::contact,
+                                 .of_steps = 0.3,
+                                 .is_of_lower = true,
+                                 .on_textures = 3.0};
+constexpr Documented rut_of_sliding_line{.quantity = "rut",
+                                         .name = "passes[*].rut_depth_m",
+                                         .error = 0.16,
+                                         .cells = 8.0,
+                                         .order = 1.0,
+                                         .of = Documented::Of::contact,
+                                         .of_steps = 0.3,
+                                         .is_of_lower = true,
+                                         .on_textures = 3.0};
+constexpr Documented resistance_to_rolling{.quantity = "resistance",
+                                           .name = "passes[*].resistance_N",
+                                           .error = 0.08,
+                                           .cells = 4.0,
+                                           .order = 1.5,
+                                           .of = Documented::Of::contact,
+                                           .of_steps = 1.0,
+                                           .on_textures = 1.3};
+constexpr Documented dissipation{.quantity = "dissipation",
+                                 .name = "passes[*].dissipation_J",
+                                 .error = 0.09,
+                                 .cells = 4.0,
+                                 .order = 1.5,
+                                 .of = Documented::Of::contact,
+                                 .of_steps = 1.0,
+                                 .on_textures = 1.2};
 /// Of point contacts.
 constexpr double error_of_rubbed_shoulder = 0.17; ///< of the first of these, under sliding friction
-constexpr Documented of_rolled_points[] = {
-    {"shoulder", "passes[*].shoulder_height_m", 0.08, 8.0, 1.0, Of::contact, 0.3, 1.0, true},
-    {"strain under the track", "passes[*].track_plastic_strain", 0.035, 8.0, 1.0, Of::contact, 0.3, 2.0},
-    {"contact area", "passes[*].contact_area_m2", 0.018, 8.0, 1.0, Of::elastic_contact, 0.02, 2.0},
-    {"largest pressure", "passes[*].max_pressure_Pa", 0.012, 8.0, 1.0, Of::elastic_contact, 0.02, 2.0}};
+constexpr Documented of_rolled_points[] = {{.quantity = "shoulder",
+                                            .name = "passes[*].shoulder_height_m",
+                                            .error = 0.08,
+                                            .cells = 8.0,
+                                            .order = 1.0,
+                                            .of = Documented::Of::contact,
+                                            .of_steps = 0.3,
+                                            .is_of_lower = true},
+                                           {.quantity = "strain under the track",
+                                            .name = "passes[*].track_plastic_strain",
+                                            .error = 0.035,
+                                            .cells = 8.0,
+                                            .order = 1.0,
+                                            .of = Documented::Of::contact,
+                                            .of_steps = 0.3,
+                                            .on_textures = 2.0},
+                                           {.quantity = "contact area",
+                                            .name = "passes[*].contact_area_m2",
+                                            .error = 0.018,
+                                            .cells = 8.0,
+                                            .order = 1.0,
+                                            .of = Documented::Of::elastic_contact,
+                                            .of_steps = 0.02,
+                                            .on_textures = 2.0},
+                                           {.quantity = "largest pressure",
+                                            .name = "passes[*].max_pressure_Pa",
+                                            .error = 0.012,
+                                            .cells = 8.0,
+                                            .order = 1.0,
+                                            .of = Documented::Of::elastic_contact,
+                                            .of_steps = 0.02,
+                                            .on_textures = 2.0}};
 /// Of elastic bodies, except where nearly all of the contact sticks: there the shear grows without limit at the trailing edge.
-constexpr Documented creep_force{"creep force", "passes[*].F_x_N", 0.012, 8.0, 1.5, Of::elastic_contact, 0.15};
+constexpr Documented creep_force{.quantity = "creep force",
+                                 .name = "passes[*].F_x_N",
+                                 .error = 0.012,
+                                 .cells = 8.0,
+                                 .order = 1.5,
+                                 .of = Documented::Of::elastic_contact,
+                                 .of_steps = 0.15};
 constexpr double error_of_sticking = 0.04, nearly_all = 0.97;
 /// The edge of a plastic contact is not that of an elastic one, on which the entry of points relies.
 constexpr double error_of_plastic_creep = 0.06;
-constexpr Documented spin_moment{"spin moment", "passes[*].M_z_Nm", 0.06, 8.0, 1.5, Of::elastic_contact, 1.0};
+constexpr Documented spin_moment{.quantity = "spin moment",
+                                 .name = "passes[*].M_z_Nm",
+                                 .error = 0.06,
+                                 .cells = 8.0,
+                                 .order = 1.5,
+                                 .of = Documented::Of::elastic_contact,
+                                 .of_steps = 1.0};
 /// Relative to the area of the contact: a row of cells at the edge of the part that sticks.
-constexpr Documented stick_share{"stick share", "passes[*].stick_share", 0.03, 8.0, 1.0, Of::elastic_contact, 1.0};
+constexpr Documented stick_share{.quantity = "stick share",
+                                 .name = "passes[*].stick_share",
+                                 .error = 0.03,
+                                 .cells = 8.0,
+                                 .order = 1.0,
+                                 .of = Documented::Of::elastic_contact,
+                                 .of_steps = 1.0};
 
 /// Force and moment that lateral creepage and spin alone would cause by the linear theory. Both may nearly cancel, but their
 /// errors do not.

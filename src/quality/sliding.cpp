@@ -14,15 +14,47 @@ namespace
 {
 
 // docs/verification/accuracy.md (expected error)
-constexpr Documented ploughing{
-    "friction by ploughing", "strokes[*].friction_ploughing", 0.14, 4.2, 1.9, Of::contact, 0.3, 2.2};
-constexpr Documented work_of_strokes{
-    "plastic work", "strokes[*].dissipation_plastic_J", 0.06, 8.0, 1.0, Of::plastic_zone, 1.0, 1.5};
+constexpr Documented ploughing{.quantity = "friction by ploughing",
+                               .name = "strokes[*].friction_ploughing",
+                               .error = 0.14,
+                               .cells = 4.2,
+                               .order = 1.9,
+                               .of = Documented::Of::contact,
+                               .of_steps = 0.3,
+                               .on_textures = 2.2};
+constexpr Documented work_of_strokes{.quantity = "plastic work",
+                                     .name = "strokes[*].dissipation_plastic_J",
+                                     .error = 0.06,
+                                     .cells = 8.0,
+                                     .order = 1.0,
+                                     .of = Documented::Of::plastic_zone,
+                                     .of_steps = 1.0,
+                                     .on_textures = 1.5};
 /// Of point contacts.
-constexpr Documented of_slid_points[] = {
-    {"largest plastic strain", "residual.max_equivalent_plastic_strain", 0.05, 8.0, 1.0, Of::contact, 0.1, 1.5},
-    {"contact area", "strokes[*].contact_area_m2", 0.016, 8.0, 1.0, Of::elastic_contact, 0.02, 2.5},
-    {"largest pressure", "strokes[*].max_pressure_Pa", 0.01, 8.0, 1.0, Of::elastic_contact, 0.02, 2.5}};
+constexpr Documented of_slid_points[] = {{.quantity = "largest plastic strain",
+                                          .name = "residual.max_equivalent_plastic_strain",
+                                          .error = 0.05,
+                                          .cells = 8.0,
+                                          .order = 1.0,
+                                          .of = Documented::Of::contact,
+                                          .of_steps = 0.1,
+                                          .on_textures = 1.5},
+                                         {.quantity = "contact area",
+                                          .name = "strokes[*].contact_area_m2",
+                                          .error = 0.016,
+                                          .cells = 8.0,
+                                          .order = 1.0,
+                                          .of = Documented::Of::elastic_contact,
+                                          .of_steps = 0.02,
+                                          .on_textures = 2.5},
+                                         {.quantity = "largest pressure",
+                                          .name = "strokes[*].max_pressure_Pa",
+                                          .error = 0.01,
+                                          .cells = 8.0,
+                                          .order = 1.0,
+                                          .of = Documented::Of::elastic_contact,
+                                          .of_steps = 0.02,
+                                          .on_textures = 2.5}};
 
 /// Whether the friction by ploughing is so small a difference of large forces that its relative error says nothing.
 bool hardly_ploughs(const std::vector<SlidingStroke>& strokes)

@@ -11,20 +11,70 @@ namespace
 {
 
 // docs/verification/accuracy.md (expected error)
-constexpr Documented peak_force{"peak force", "forces.peak_*_N", 0.011, 8.0, 2.1, Of::elastic_contact, 0.0, 0.15};
+constexpr Documented peak_force{.quantity = "peak force",
+                                .name = "forces.peak_*_N",
+                                .error = 0.011,
+                                .cells = 8.0,
+                                .order = 2.1,
+                                .of = Documented::Of::elastic_contact,
+                                .on_textures = 0.15};
 /// Under a load F_Z is given, and the peak of F_X lies where the load rises or falls, within a few steps.
-constexpr Documented peak_under_load{"peak F_X", "forces.peak_F_X_N", 0.06, 8.0, 1.0, Of::elastic_contact};
+constexpr Documented peak_under_load{.quantity = "peak F_X",
+                                     .name = "forces.peak_F_X_N",
+                                     .error = 0.06,
+                                     .cells = 8.0,
+                                     .order = 1.0,
+                                     .of = Documented::Of::elastic_contact};
 
-constexpr Documented dents{"dents", "residual.max_*_m", 0.017, 8.0, 1.8, Of::plastic_zone, 0.5, 1.3};
-constexpr Documented net_energy{"net energy", "energy.net_J", 0.036, 8.0, 1.7, Of::contact, 1.0, 3.0};
+constexpr Documented dents{.quantity = "dents",
+                           .name = "residual.max_*_m",
+                           .error = 0.017,
+                           .cells = 8.0,
+                           .order = 1.8,
+                           .of = Documented::Of::plastic_zone,
+                           .of_steps = 0.5,
+                           .on_textures = 1.3};
+constexpr Documented net_energy{.quantity = "net energy",
+                                .name = "energy.net_J",
+                                .error = 0.036,
+                                .cells = 8.0,
+                                .order = 1.7,
+                                .of = Documented::Of::contact,
+                                .of_steps = 1.0,
+                                .on_textures = 3.0};
 /// Under a load the net work is a small difference of what the load does on its way down and up.
-constexpr Documented net_energy_under_load{"net energy", "energy.net_J", 0.08, 8.0, 1.7, Of::contact, 1.0, 3.0};
-constexpr Documented resistance_to_tugging{
-    "F_X at alignment", "forces.F_X_aligned_N", 0.043, 8.0, 1.7, Of::contact, 1.0, 2.5};
+constexpr Documented net_energy_under_load{.quantity = "net energy",
+                                           .name = "energy.net_J",
+                                           .error = 0.08,
+                                           .cells = 8.0,
+                                           .order = 1.7,
+                                           .of = Documented::Of::contact,
+                                           .of_steps = 1.0,
+                                           .on_textures = 3.0};
+constexpr Documented resistance_to_tugging{.quantity = "F_X at alignment",
+                                           .name = "forces.F_X_aligned_N",
+                                           .error = 0.043,
+                                           .cells = 8.0,
+                                           .order = 1.7,
+                                           .of = Documented::Of::contact,
+                                           .of_steps = 1.0,
+                                           .on_textures = 2.5};
 // Of point contacts.
-constexpr Documented work_of_tugging{"plastic work", "energy.dissipation_*er_J", 0.065, 8.0, 1.0, Of::contact, 1.0};
-constexpr Documented strain_of_tugging{
-    "largest plastic strain", "residual.max_equivalent_plastic_strain", 0.055, 8.0, 1.0, Of::contact, 0.1, 1.3};
+constexpr Documented work_of_tugging{.quantity = "plastic work",
+                                     .name = "energy.dissipation_*er_J",
+                                     .error = 0.065,
+                                     .cells = 8.0,
+                                     .order = 1.0,
+                                     .of = Documented::Of::contact,
+                                     .of_steps = 1.0};
+constexpr Documented strain_of_tugging{.quantity = "largest plastic strain",
+                                       .name = "residual.max_equivalent_plastic_strain",
+                                       .error = 0.055,
+                                       .cells = 8.0,
+                                       .order = 1.0,
+                                       .of = Documented::Of::contact,
+                                       .of_steps = 0.1,
+                                       .on_textures = 1.3};
 /// Error of the largest strain with friction, which moves the largest strain to the surface, into the uppermost layers of cells.
 constexpr double error_of_rubbed_strain = 0.3;
 

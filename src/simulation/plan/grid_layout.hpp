@@ -35,7 +35,7 @@ struct StepsOnWay
 /// @param shift     distance of a step, if it is given [m]
 /// @param multiple  of which the number of steps is one
 /// @param key       of the way, for messages
-/// @throws KeyError if there are too many steps
+/// @throws PlanError if there are too many steps
 [[nodiscard]] StepsOnWay steps_on_way(const Numerics& numerics, const std::array<double, 3>& cells,
                                       std::optional<double> shift, double way, int multiple, const std::string& key);
 
