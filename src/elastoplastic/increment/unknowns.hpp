@@ -36,13 +36,8 @@ public:
     }
     else
       advance_together(sides);
-    for (std::size_t part = 0; part < places_.size() && is_near && depth_ > 0; ++part)
-    {
-      std::vector<double> residual(places_[part].size());
-      for (std::size_t i = 0; i < residual.size(); ++i)
-        residual[i] = anderson_.residual()[places_[part][i]];
-      sides[part].body.go_further(residual);
-    }
+    if (is_near && depth_ > 0)
+      go_further(sides);
   }
 
 private:
@@ -53,6 +48,18 @@ private:
     for (std::size_t part = 0; part < sides.size(); ++part)
       while (places_[part].size() < sides[part].body.active().trials().size())
         places_[part].push_back(size_++);
+  }
+  void go_further(std::vector<Side>& sides) const
+  {
+    const std::vector<double> of_all = anderson_.residual();
+    std::vector<double> residual;
+    for (std::size_t part = 0; part < places_.size(); ++part)
+    {
+      residual.clear();
+      for (const std::size_t place : places_[part])
+        residual.push_back(of_all[place]);
+      sides[part].body.go_further(residual);
+    }
   }
   /// Calls use(i, place in the common vector) for all unknowns of a body.
   template <typename Use>
