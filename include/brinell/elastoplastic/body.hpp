@@ -54,7 +54,7 @@ struct BodyState
   void exchange(Archive& archive) { exchange_members(archive, *this); }
 };
 
-struct BodyParts;
+class Evaluation;
 
 /// How much of a body an evaluation computes.
 enum class Scope
@@ -88,6 +88,79 @@ struct Edges
   bool bottom = false; ///< last layer
 };
 
+/// Size of the yield surface in each cell.
+struct Yield
+{
+  constitutive::Material material;
+  std::size_t cells_of_layer;
+  std::vector<double> factor{};    ///< on the yield stress, of the layers
+  std::vector<double> softening{}; ///< further factor, of the cells, at the end of the current increment; empty: none
+
+  [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / cells_of_layer; }
+  [[nodiscard]] double softening_at(std::size_t cell) const { return softening.empty() ? 1.0 : softening[cell]; }
+  /// Hardening law in a layer without softening.
+  template <typename Law>
+  [[nodiscard]] constitutive::ScaledLaw<Law> of_layer(const Law& law, std::size_t layer) const
+  {
+    return {law, factor[layer]};
+  }
+  template <typename Law>
+  [[nodiscard]] constitutive::ScaledLaw<Law> at(const Law& law, std::size_t cell) const
+  {
+    return {law, factor[layer_of(cell)] * softening_at(cell)};
+  }
+};
+
+/// The solution of an increment that is not committed, but for the plastic strain, which is in the state.
+struct Trial
+{
+  bool is_open = false;   ///< in an increment
+  double stiffness = 0.0; ///< c [Pa]
+  ActiveCells active{};
+  /// Deviatoric stress in the computed layers. Between increments: the stress of the state, but in the cells that were active last
+  /// their q, which is the initial guess of the next increment.
+  std::vector<double> stress{};
+  /// Indices and q of those cells, to restore the guess when an increment fails.
+  std::vector<std::size_t> guessed_cells{};
+  std::vector<double> guessed_q{};
+  std::vector<double> thermal_stress{}; ///< at the end of the current increment, if it is `has_thermal_stress`
+  bool has_thermal_stress = false;      ///< otherwise that of the state stays
+  double yield_error = 0.0;             ///< of the last evaluation
+  bool bears_shear = false;             ///< whether there was shear in the last evaluation
+};
+
+/// The parts of a body.
+struct BodyParts
+{
+  VolumeGrid grid;
+  BodySettings settings;
+  Yield yield;
+  Hidden<Evaluation> evaluation;
+  BodyState state{};
+  PlasticZone zone{}; ///< of the state
+  Trial trial{};
+
+  [[nodiscard]] bool is_plastic() const { return yield.material.is_plastic(); }
+  /// At the end of the current increment; empty without heat.
+  [[nodiscard]] const std::vector<double>& thermal_stress() const
+  {
+    return trial.has_thermal_stress ? trial.thermal_stress : state.thermal_stress;
+  }
+  [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
+  /// Centre of the yield surface before the increment.
+  [[nodiscard]] Deviator centre(std::size_t cell) const;
+  [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(trial.active.copies(a)); }
+  /// Calls use(cell, seen) for an active cell and, with symmetry, for its mirror image; the function `seen` converts a deviator of
+  /// the active cell to its value in that cell.
+  template <typename Use>
+  void with_copies(std::size_t a, const Use& use) const
+  {
+    use(trial.active.cell(a), [](const Deviator& d) { return d; });
+    if (copies(a) == 2)
+      use(mirrored_cell(grid.surface, trial.active.cell(a)), mirrored_in_y);
+  }
+};
+
 /// One body of a contact: material, operators, history, and the trial solution of the current increment.
 ///
 /// The unknown of an increment is the trial deviator q = s + c d_eps in the active cells (those near or beyond yield).
@@ -100,11 +173,11 @@ public:
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
        const constitutive::Material& material, const BodySettings& settings = {});
 
-  [[nodiscard]] const VolumeGrid& grid() const;
-  [[nodiscard]] const constitutive::Material& material() const;
-  [[nodiscard]] const BodyState& state() const;
+  [[nodiscard]] const VolumeGrid& grid() const { return parts_.grid; }
+  [[nodiscard]] const constitutive::Material& material() const { return parts_.yield.material; }
+  [[nodiscard]] const BodyState& state() const { return parts_.state; }
   /// Where the state has plastic strain; empty for a body that cannot yield.
-  [[nodiscard]] const PlasticZone& plastic_zone() const;
+  [[nodiscard]] const PlasticZone& plastic_zone() const { return parts_.zone; }
 
   /// Sets a factor on the yield stress of each cell, in addition to the depth profile, for instance by temperature
   /// (constitutive/softening.hpp). Between increments the factor takes effect at once; within an increment it takes effect with
@@ -155,18 +228,18 @@ public:
   /// Takes over the history of the same body from a smaller grid with the same centre. Stress and residual displacement are
   /// computed anew, under `load` (on the whole surface grid).
   void continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load);
-  [[nodiscard]] BodyState take_state() &&;
+  [[nodiscard]] BodyState take_state() && { return std::move(parts_.state); }
 
   /// The active cells with their trials q, images g(q) and flow; `trial` gives the trials to be changed.
-  [[nodiscard]] const ActiveCells& active() const;
-  [[nodiscard]] std::vector<double>& trial();
+  [[nodiscard]] const ActiveCells& active() const { return parts_.trial.active; }
+  [[nodiscard]] std::vector<double>& trial() { return parts_.trial.active.trials(); }
   /// Lengthens the step of the trials in cells near the surface that flow along the surface, because the surrounding body hardly
   /// restrains such flow; does nothing without shear on the surface.
   /// @param residual  g - q of the combination of evaluations from which the trials come. Trials with a zero
   ///                  residual are not changed.
   void go_further(const std::vector<double>& residual);
   /// Error of the last `update`: largest von Mises norm of g - q over the yield stress, among the cells that yield.
-  [[nodiscard]] double yield_error() const;
+  [[nodiscard]] double yield_error() const { return parts_.trial.yield_error; }
   /// Residual displacement of the present trial along z (0), x (1) or y (2) [m]. Those along the surface are empty unless they are
   /// computed and the body is plastic.
   [[nodiscard]] std::span<const double> residual_displacement(std::size_t axis = 0) const;
@@ -193,7 +266,7 @@ public:
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;
 
 private:
-  Hidden<BodyParts> parts_;
+  BodyParts parts_;
 };
 
 } // namespace brinell::elastoplastic

@@ -40,7 +40,7 @@ double softening_far_away(const constitutive::Material& material)
 /// Drops what belongs to the trial alone.
 void return_to_state(BodyParts& b)
 {
-  b.evaluation.restore(b.state);
+  b.evaluation->restore(b.state);
   b.trial.has_thermal_stress = false;
   b.yield.softening = b.state.softening;
 }
@@ -49,10 +49,12 @@ void return_to_state(BodyParts& b)
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
            const constitutive::Material& material, const BodySettings& settings)
-    : parts_(make_hidden<BodyParts>(grid, settings, Yield{material, grid.surface.size()},
-                                    Evaluation(grid, std::move(half_space), material, settings)))
+    : parts_{.grid = grid,
+             .settings = settings,
+             .yield = {material, grid.surface.size()},
+             .evaluation = make_hidden<Evaluation>(grid, std::move(half_space), material, settings)}
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   const std::size_t n = grid.size();
   if (!material.elastic.is_rigid())
   {
@@ -60,25 +62,25 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
     b.state.equivalent.assign(n, 0.0);
   }
   b.state.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
-  b.evaluation.store(b.state);
+  b.evaluation->store(b.state);
   for (int layer = 0; layer < grid.nz; ++layer)
     b.yield.factor.push_back(material.yield_factor.at((layer + 0.5) * grid.dz, 1.0));
   if (!b.is_plastic())
     return;
   b.zone = PlasticZone(grid, b.state.equivalent);
   b.state.stress.assign(Deviator::size * n, 0.0);
-  b.evaluation.add_initial_stress(grid.nz, grid.surface.ny, b.state.stress);
+  b.evaluation->add_initial_stress(grid.nz, grid.surface.ny, b.state.stress);
 }
 
 void Body::exchange(Archive& archive)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
   prepare_trial(b);
   archive("state", b.state);
   archive("q_field", b.trial.stress);
-  b.evaluation.exchange(archive);
+  b.evaluation->exchange(archive);
   if (!archive.gives())
     return;
   return_to_state(b);
@@ -88,7 +90,7 @@ void Body::exchange(Archive& archive)
 
 void Body::continue_from(const BodyState& history, const VolumeGrid& from, const halfspace::SurfaceLoad& load)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
   b.state.softening.assign(history.softening.empty() ? 0 : b.grid.size(), softening_far_away(b.yield.material));
@@ -96,16 +98,16 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.yield.softening = b.state.softening;
   prepare_trial(b);
-  b.evaluation.compute_anew(b.state, load, b.trial.stress);
+  b.evaluation->compute_anew(b.state, load, b.trial.stress);
   b.state.stress = b.trial.stress;
-  b.evaluation.store(b.state);
+  b.evaluation->store(b.state);
   b.state.locked_in_energy = locked_in_energy(b, load, b.zone);
   recover_guess(b);
 }
 
 void Body::set_softening(std::span<const double> factor)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!factor.empty())
     require_size("Body::set_softening: the factor", factor, b.grid.size());
   for (const double value : factor)
@@ -118,24 +120,24 @@ void Body::set_softening(std::span<const double> factor)
 
 void Body::begin(int shift, double stiffness_share)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   b.trial.stiffness = 2.0 * stiffness_share * b.yield.material.elastic.shear_modulus();
-  b.evaluation.restore(b.state);
+  b.evaluation->restore(b.state);
   if (!b.is_plastic())
     return;
   prepare_trial(b);
   b.trial.has_thermal_stress = false;
   b.trial.is_open = true;
   b.trial.active.clear();
-  b.evaluation.begin(shift);
+  b.evaluation->begin(shift);
   // In the frame of the contact q changes little from step to step: the guess moves along with the contact.
   collect_active(b, b.trial.stress, shift, b.settings.shortcuts ? active_share : -1.0);
-  b.evaluation.follow(b.trial.active, 0);
+  b.evaluation->follow(b.trial.active, 0);
 }
 
 void Body::set_thermal_stress(std::span<const double> deviator)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
   b.trial.thermal_stress.assign(deviator.begin(), deviator.end());
@@ -144,19 +146,19 @@ void Body::set_thermal_stress(std::span<const double> deviator)
 
 double Body::integrate(Integration integration)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.is_plastic())
     return 0.0;
   flow(b, integration);
-  return b.evaluation.load(b.state, b.trial.active);
+  return b.evaluation->load(b.state, b.trial.active);
 }
 
 bool Body::update(const halfspace::SurfaceLoad& load)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.is_plastic())
     return false;
-  b.evaluation.stress(load, b.thermal_stress(), b.trial.stress);
+  b.evaluation->stress(load, b.thermal_stress(), b.trial.stress);
   const auto acts = [](double shear) { return shear != 0.0; };
   b.trial.bears_shear = std::any_of(load.shear_x.begin(), load.shear_x.end(), acts) ||
                         std::any_of(load.shear_y.begin(), load.shear_y.end(), acts);
@@ -165,14 +167,14 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   collect_active(b, b.trial.stress, 0, 1.0);
   if (b.trial.active.size() == before)
     return false;
-  b.evaluation.follow(b.trial.active, before);
+  b.evaluation->follow(b.trial.active, before);
   put_on_yield_surface(b, before);
   return true;
 }
 
 void Body::restore()
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   return_to_state(b);
   if (!b.trial.is_open)
     return;
@@ -189,8 +191,8 @@ void Body::restore()
 
 void Body::complete_trial()
 {
-  BodyParts& b = *parts_;
-  b.evaluation.find_displacement_x(b.state.plastic_strain);
+  BodyParts& b = parts_;
+  b.evaluation->find_displacement_x(b.state.plastic_strain);
   if (!b.is_plastic() || b.settings.symmetry == Symmetry::none)
     return;
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
@@ -208,7 +210,7 @@ void Body::complete_trial()
 
 void Body::commit(const halfspace::SurfaceLoad& load)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
   const std::size_t n = b.grid.size();
@@ -241,11 +243,59 @@ void Body::commit(const halfspace::SurfaceLoad& load)
                const auto from = b.trial.stress.begin();
                std::copy(from + first, from + last, b.state.stress.begin() + first);
              });
-  b.evaluation.store(b.state);
+  b.evaluation->store(b.state);
   b.state.locked_in_energy = locked_in_energy(b, load, b.zone);
-  b.evaluation.commit(load);
+  b.evaluation->commit(load);
   store_guess(b);
   b.trial.is_open = false;
+}
+
+Deviator BodyParts::backstress(std::size_t cell, std::size_t term) const
+{
+  const std::size_t n = grid.size();
+  Deviator b;
+  for (int c = 0; c < Deviator::size; ++c)
+    b[c] = state.backstress[(term * Deviator::size + static_cast<std::size_t>(c)) * n + cell];
+  return b;
+}
+
+Deviator BodyParts::centre(std::size_t cell) const
+{
+  Deviator sum;
+  for (std::size_t term = 0; term < yield.material.kinematic.size(); ++term)
+    sum = sum + backstress(cell, term);
+  return sum;
+}
+
+void Body::require(Scope scope)
+{
+  parts_.evaluation->require(scope);
+}
+
+Scope Body::scope() const
+{
+  return parts_.evaluation->scope();
+}
+
+double Body::cost() const
+{
+  return parts_.is_plastic() ? parts_.evaluation->cost() : 0.0;
+}
+
+std::span<const double> Body::residual_displacement(std::size_t axis) const
+{
+  return parts_.evaluation->displacement(axis);
+}
+
+void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
+                       int layers)
+{
+  parts_.evaluation->full_stress(load, parts_.state.plastic_strain, deviator, trace, layers);
+}
+
+std::vector<Body::CellStress> Body::stress_at(std::span<const std::size_t> cells, const halfspace::SurfaceLoad& load)
+{
+  return parts_.evaluation->stress_at(cells, load, parts_.state);
 }
 
 } // namespace brinell::elastoplastic

@@ -76,7 +76,7 @@ void find_cells_beyond(const BodyParts& b, const Law& law, std::size_t layer, co
                        int shift, double fraction, std::vector<std::size_t>& found)
 {
   const SurfaceGrid& s = b.grid.surface;
-  const Columns columns = b.evaluation.columns();
+  const Columns columns = b.evaluation->columns();
   const auto first = static_cast<std::size_t>(std::max(columns.first, shift));
   const auto last = static_cast<std::size_t>(std::max(0, std::min(columns.first + columns.count, s.nx + shift)));
   if (last <= first)
@@ -108,7 +108,7 @@ void find_cells_beyond(const BodyParts& b, const Law& law, std::size_t layer, co
 void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift, double fraction)
 {
   const std::size_t n = b.grid.size();
-  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(b.evaluation.layers()));
+  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(b.evaluation->layers()));
   std::visit(
       [&](const auto& law)
       {
@@ -148,7 +148,7 @@ struct Flowing
 
 void Body::go_further(const std::vector<double>& residual)
 {
-  BodyParts& b = *parts_;
+  BodyParts& b = parts_;
   if (!b.trial.bears_shear)
     return;
   SurfaceMeans means(b.grid);

@@ -55,7 +55,8 @@ bool may_yield_below(const BodyParts& b)
       weakest = std::min(weakest, b.yield.material.yield_factor.at(z, 1.0));
   for (const double z : b.yield.material.initial_stress.depth())
     if (z > bottom)
-      added = std::max(added, std::abs(b.yield.material.initial_stress.at(z, 0.0) - b.evaluation.initial_stress(last)));
+      added =
+          std::max(added, std::abs(b.yield.material.initial_stress.at(z, 0.0) - b.evaluation->initial_stress(last)));
   if (weakest >= b.yield.factor[last] && added == 0.0)
     return false; // no layer below the grid yields before the last layer
   const double yield = weakest * constitutive::initial_yield_stress(*b.yield.material.hardening);
@@ -71,7 +72,7 @@ bool may_yield_below(const BodyParts& b)
 
 Edges Body::reached_edges() const
 {
-  const BodyParts& b = *parts_;
+  const BodyParts& b = parts_;
   // A plastic strain at an edge that is smaller than this share of the largest one extends beyond the edge for one or two cells
   // at most; strains far below the yield strain have no effect.
   constexpr double tolerated = 0.01;

@@ -51,7 +51,7 @@ double locked_in_energy(const BodyParts& b, const halfspace::SurfaceLoad& load, 
     zone.for_cells(first, last,
                    [&](std::size_t from, std::size_t to)
                    {
-                     const double initial = b.evaluation.initial_stress(b.yield.layer_of(from));
+                     const double initial = b.evaluation->initial_stress(b.yield.layer_of(from));
                      for (std::size_t cell = from; cell < to; ++cell)
                      {
                        const Deviator strain = deviator_at(b.state.plastic_strain, n, cell);
@@ -63,11 +63,11 @@ double locked_in_energy(const BodyParts& b, const halfspace::SurfaceLoad& load, 
   };
   // The stress includes the thermal stress, which is not due to the plastic strain: its work is subtracted.
   const double volume_work = sum_of_pieces(n, work_in) - work_of_thermal_stress(b, zone);
-  double surface_work = dot(load.pressure, b.evaluation.displacement(0));
+  double surface_work = dot(load.pressure, b.evaluation->displacement(0));
   if (!load.shear_x.empty())
-    surface_work += dot(load.shear_x, b.evaluation.displacement(1));
+    surface_work += dot(load.shear_x, b.evaluation->displacement(1));
   if (!load.shear_y.empty())
-    surface_work += dot(load.shear_y, b.evaluation.displacement(2));
+    surface_work += dot(load.shear_y, b.evaluation->displacement(2));
   return 0.5 * (surface_work * b.grid.surface.cell_area() - volume_work * b.grid.cell_volume());
 }
 
@@ -91,7 +91,7 @@ double thermal_work_of_trial(const BodyParts& b)
 
 double Body::energy(const halfspace::SurfaceLoad& load) const
 {
-  const BodyParts& b = *parts_;
+  const BodyParts& b = parts_;
   if (!b.is_plastic())
     return 0.0;
   double dissipation = 0.0;
@@ -105,7 +105,7 @@ double Body::energy(const halfspace::SurfaceLoad& load) const
 
 std::vector<double> Body::work_of_increment() const
 {
-  const BodyParts& b = *parts_;
+  const BodyParts& b = parts_;
   std::vector<double> work(b.grid.size());
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
     b.with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { work[cell] = b.trial.active.dissipation(a); });

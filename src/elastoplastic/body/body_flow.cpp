@@ -186,7 +186,8 @@ void flow_of(BodyParts& b, const Law& law, Integration integration)
                        [&](const LaneCells& at) { ActiveLanes{b}.flow(law, at); });
     for (std::size_t a = first; a < last && !in_lanes; ++a)
     {
-      const constitutive::PlasticIncrement result = increment(b, b.yield.at(law, b.trial.active.cell(a)), a, integration);
+      const constitutive::PlasticIncrement result =
+          increment(b, b.yield.at(law, b.trial.active.cell(a)), a, integration);
       store(b.trial.active.start(a) + result.strain, b.state.plastic_strain, b.grid.size(), b.trial.active.cell(a));
       b.trial.active.set_flow(a, result);
     }

@@ -4,81 +4,9 @@
 #include "brinell/elastoplastic/body.hpp"
 #include "evaluation.hpp"
 
-/// The parts of a body, and functions of several of them.
+/// Functions of several parts of a body.
 namespace brinell::elastoplastic
 {
-
-/// Size of the yield surface in each cell.
-struct Yield
-{
-  constitutive::Material material;
-  std::size_t cells_of_layer;
-  std::vector<double> factor{};    ///< on the yield stress, of the layers
-  std::vector<double> softening{}; ///< further factor, of the cells, at the end of the current increment; empty: none
-
-  [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / cells_of_layer; }
-  [[nodiscard]] double softening_at(std::size_t cell) const { return softening.empty() ? 1.0 : softening[cell]; }
-  /// Hardening law in a layer without softening.
-  template <typename Law>
-  [[nodiscard]] constitutive::ScaledLaw<Law> of_layer(const Law& law, std::size_t layer) const
-  {
-    return {law, factor[layer]};
-  }
-  template <typename Law>
-  [[nodiscard]] constitutive::ScaledLaw<Law> at(const Law& law, std::size_t cell) const
-  {
-    return {law, factor[layer_of(cell)] * softening_at(cell)};
-  }
-};
-
-/// The solution of an increment that is not committed, but for the plastic strain, which is in the state.
-struct Trial
-{
-  bool is_open = false;   ///< in an increment
-  double stiffness = 0.0; ///< c [Pa]
-  ActiveCells active{};
-  /// Deviatoric stress in the computed layers. Between increments: the stress of the state, but in the cells that were active last
-  /// their q, which is the initial guess of the next increment.
-  std::vector<double> stress{};
-  /// Indices and q of those cells, to restore the guess when an increment fails.
-  std::vector<std::size_t> guessed_cells{};
-  std::vector<double> guessed_q{};
-  std::vector<double> thermal_stress{}; ///< at the end of the current increment, if it is `has_thermal_stress`
-  bool has_thermal_stress = false;      ///< otherwise that of the state stays
-  double yield_error = 0.0;             ///< of the last evaluation
-  bool bears_shear = false;             ///< whether there was shear in the last evaluation
-};
-
-struct BodyParts
-{
-  VolumeGrid grid;
-  BodySettings settings;
-  Yield yield;
-  Evaluation evaluation;
-  BodyState state{};
-  PlasticZone zone{}; ///< of the state
-  Trial trial{};
-
-  [[nodiscard]] bool is_plastic() const { return yield.material.is_plastic(); }
-  /// At the end of the current increment; empty without heat.
-  [[nodiscard]] const std::vector<double>& thermal_stress() const
-  {
-    return trial.has_thermal_stress ? trial.thermal_stress : state.thermal_stress;
-  }
-  [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
-  /// Centre of the yield surface before the increment.
-  [[nodiscard]] Deviator centre(std::size_t cell) const;
-  [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(trial.active.copies(a)); }
-  /// Calls use(cell, seen) for an active cell and, with symmetry, for its mirror image; the function `seen` converts a deviator of
-  /// the active cell to its value in that cell.
-  template <typename Use>
-  void with_copies(std::size_t a, const Use& use) const
-  {
-    use(trial.active.cell(a), [](const Deviator& d) { return d; });
-    if (copies(a) == 2)
-      use(mirrored_cell(grid.surface, trial.active.cell(a)), mirrored_in_y);
-  }
-};
 
 /// Plastic flow in all active cells.
 void flow(BodyParts& body, Integration integration);

@@ -13,7 +13,7 @@ namespace brinell::elastoplastic
 /// back stresses of the state are those before an increment; those of the cells that flow in it are added here.
 std::vector<double> Body::shear_strength(double along_x, double along_y) const
 {
-  const BodyParts& b = *parts_;
+  const BodyParts& b = parts_;
   const std::size_t cells = b.grid.surface.size();
   std::vector<double> strength(cells, std::numeric_limits<double>::infinity());
   if (!b.is_plastic())
