@@ -46,8 +46,11 @@ private:
   {
     places_.resize(sides.size());
     for (std::size_t part = 0; part < sides.size(); ++part)
-      while (places_[part].size() < sides[part].body.active().trials().size())
+    {
+      const std::size_t count = sides[part].body.active().trials().size();
+      while (places_[part].size() < count)
         places_[part].push_back(size_++);
+    }
   }
   void go_further(std::vector<Side>& sides) const
   {
