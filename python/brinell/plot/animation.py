@@ -70,7 +70,6 @@ def animate(
         follow: "contact": x counts from the centre of contact, which stays in the middle; "body", for a single one: x
             is that of the body. By default "contact" for two bodies, and "body" for one. Of the pressure "body" is
             the lower one, over which it travels, round a period if there is one; by default so.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
         interval: time per frame [ms].
 
     Raises:

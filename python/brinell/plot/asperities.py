@@ -36,7 +36,6 @@ def passes_map(
         of: the map.
         quantity: one of `brinell.asperities.QUANTITIES`.
         ratio: of the radii R1/R2.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     from brinell.asperities import QUANTITIES
     from brinell.asperities.pairs import closest
@@ -92,7 +91,6 @@ def friction_over_load(sums: Sequence[AsperitySum], *, ax: style.Target | None =
 
     Args:
         sums: what to draw.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing touches.

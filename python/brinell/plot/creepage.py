@@ -166,7 +166,6 @@ def creep_curve(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figur
 
     Args:
         runs: rollings with creepage, or a sweep of them; others among them are left out.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if there are no two of them that differ in creepage or spin.

@@ -46,7 +46,6 @@ def stress_over_depth(
             where the largest plastic strain is if nothing has yielded under 0, 0.
         y: of the point [m].
         bodies: "both", "lower" or "upper"; those without stress and strain are left out.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the stress is not stored, the point lies outside the grids, or the body is rigid.

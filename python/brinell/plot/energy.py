@@ -63,12 +63,7 @@ def balance_error(history: History) -> FloatArray:
 
 @style.figure
 def energy_balance(run: Run, *, ax: style.Target | None = None) -> Figure:
-    """Forms of energy to which the work of the drive was converted by step; below, the part that is unaccounted for.
-
-    Args:
-        run: result to draw.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-    """
+    """Forms of energy to which the work of the drive was converted by step; below, the part that is unaccounted for."""
     history = run.history
     step = history["step"]
     energy = si(float(np.max(np.abs(history["work"]))), "J")

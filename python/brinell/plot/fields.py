@@ -42,7 +42,6 @@ def pressure_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style
         snapshot: the state to draw; its bodies must touch.
         cells: show each cell as a rectangle of one colour instead of interpolating between their centres; the patch
             then needs no outline.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state.
@@ -134,8 +133,6 @@ def gap_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: style.Targ
     Args:
         run: where the scales come from.
         snapshot: the state to draw; its bodies must touch.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state.

@@ -73,10 +73,6 @@ def force_loops(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figur
 
     The dashed line is the limit of friction. The limit of one run among several has the colour of its loop; a limit
     that several runs share is grey. Returns None if nothing has moved.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "fretting")
     lines = _loop_lines(shown)
@@ -215,10 +211,6 @@ def cycle_by_cycle(runs: Sequence[Run], *, ax: style.Target | None = None) -> Fi
 
     Under an imposed force the largest displacement is drawn in place of the force. Returns None if no run has two
     cycles, because the numbers of a single cycle are in the summary.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "fretting")
     if all(len(entry.run.cycles) < 2 for entry in shown):
@@ -254,10 +246,6 @@ def fretting_course(runs: Sequence[Run], *, ax: style.Target | None = None) -> F
     """Displacement, force between the limits of friction, energies, and approach or load over the steps.
 
     The load is drawn in place of an imposed approach.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "fretting")
     imposed = all(entry.run.case("fretting", "approach") is not None for entry in shown)

@@ -43,9 +43,6 @@ def friction_heat_map(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
 
     Args:
         run: the run of the state, for friction and direction.
-        snapshot: the state to draw.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state, or no heat of friction is stored.

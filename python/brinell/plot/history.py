@@ -251,10 +251,6 @@ def run_history(run: Run, *, ax: style.Target | None = None) -> Figure:
     """Six panels over the steps; for tugging over the sliding coordinate, or the sliding distance in several passes.
 
     For an unfinished run the axes are in SI.
-
-    Args:
-        run: result to draw.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     course, traits = course_of(run), SCENARIOS[run.scenario]
     panels = (*traits.panels(), *_COMMON)

@@ -102,10 +102,6 @@ def load_depth(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure
     """Load over approach in loading and unloading of all cycles; elastic spheres or cylinders are dashed.
 
     If first yield exists and is the same for all runs, second axes show both normalised by it.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "indentation")
     lines = [line for entry in shown for line in _load_lines(entry, alone=len(shown) == 1)]
@@ -176,10 +172,6 @@ def imprint(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure | 
     """Residual surface of the lower body along x and y through the first place; below, its pile-up enlarged.
 
     Returns None if no lower body has yielded.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     imprints = _imprints(entries(runs, "indentation"))
     if not imprints:
@@ -230,10 +222,6 @@ def contact_pressure(runs: Sequence[Run], *, ax: style.Target | None = None) -> 
     """Contact pressure along x' and y' through the middle of the contact, at the largest load that is stored.
 
     Returns None if no run has stored a loaded state.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     states = [(e, e.run.snapshot("aligned")) for e in entries(runs, "indentation") if e.run.steps]
     loaded = [(entry, snapshot) for entry, snapshot in states if snapshot.in_contact]

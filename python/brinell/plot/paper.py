@@ -284,12 +284,7 @@ def _draw_residual_fraction(ax: Axes, curves: Sequence[_Curve]) -> None:
 @style.figure
 @of_runs
 def fig11(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
-    """Tangential force F_X/P_c against X/R, one curve per run.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-    """
+    """Tangential force F_X/P_c against X/R, one curve per run."""
     curves = _curves(runs)
     fig = style.new_figure(6.4, 3.9)
     ax = fig.subplots()
@@ -301,12 +296,7 @@ def fig11(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
 @style.figure
 @of_runs
 def fig12(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
-    """Normal force F_Z/P_c against X/R, one curve per run.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-    """
+    """Normal force F_Z/P_c against X/R, one curve per run."""
     curves = _curves(runs)
     fig = style.new_figure(6.4, 3.9)
     ax = fig.subplots()
@@ -321,10 +311,6 @@ def fig13(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
     """Net energy over U_c against alpha*, one point per run, and the energy that the bodies store or dissipate.
 
     Both agree if the energy balance closes.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     curves = _curves(runs)
     fig = style.new_figure(5.2, 3.9)
@@ -335,12 +321,7 @@ def fig13(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
 @style.figure
 @of_runs
 def fig14(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
-    """Load ratio F_X/F_Z against X/R where the bodies touch, one curve per run.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-    """
+    """Load ratio F_X/F_Z against X/R where the bodies touch, one curve per run."""
     curves = _curves(runs)
     fig = style.new_figure(6.4, 3.9)
     ax = fig.subplots()
@@ -352,12 +333,7 @@ def fig14(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
 @style.figure
 @of_runs
 def fig15(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
-    """Largest residual displacement after unloading against alpha*: over alpha_c, and over the interference.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-    """
+    """Largest residual displacement after unloading against alpha*: over alpha_c, and over the interference."""
     curves = _curves(runs)
     fig = style.new_figure(8.4, 3.7)
     left, right = fig.subplots(1, 2)
@@ -371,12 +347,7 @@ def fig15(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
 @style.figure
 @of_runs
 def overview(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure:
-    """The five figures on one sheet, the second half of Fig. 15 as a panel of its own.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-    """
+    """The five figures on one sheet, the second half of Fig. 15 as a panel of its own."""
     curves = _curves(runs)
     fig = style.new_figure(12.0, 6.9)
     grid = fig.add_gridspec(3, 3, height_ratios=[0.05, 1.0, 1.0])

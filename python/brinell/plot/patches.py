@@ -33,10 +33,6 @@ def contact_patches(runs: Sequence[Run], *, ax: style.Target | None = None) -> F
     For a single run also the patches in the last stored state that slides, and the share of patches larger than an area
     in the first and last such state.
 
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-
     Returns:
         None if nothing has slid, or the results are from before patches were counted.
     """

@@ -81,7 +81,6 @@ def point_histories(run: Run, *, ax: style.Target | None = None) -> Figure | Non
 
     Args:
         run: result to draw; it may be unfinished.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if the case names no points, or none within the bodies.

@@ -46,9 +46,6 @@ def residual_surfaces(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: 
 
     Args:
         run: where the scales come from.
-        snapshot: the state to draw.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the residual displacement is not stored.

@@ -78,10 +78,6 @@ def pass_by_pass(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figu
 
     Growth and dissipation have a logarithmic axis if they fall by more than a factor of a hundred.
 
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-
     Returns:
         None if no run has two passes: the summary tells the numbers of one.
     """
@@ -128,10 +124,6 @@ def track_profile(runs: Sequence[Run], *, ax: style.Target | None = None) -> Fig
     """Residual surface of the lower body across the track at x = 0, after the last pass.
 
     Returns None if no lower body has yielded, and for plane strain, where nothing varies across the track.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     bodies = [(entry, entry.run.snapshot("final").lower) for entry in entries(runs, "rolling")]
     deformed = [(entry, body) for entry, body in bodies if body.y.size > 1 and body.is_dented]
@@ -191,10 +183,6 @@ def along_track(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figur
 
     With sliding under a load the friction F_X/F_n is drawn in place of the resistance, with the area of contact. A
     single run shows all passes; of several runs the first and the last are drawn.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = entries(runs, "rolling")
     lines = _along(shown)
@@ -275,10 +263,6 @@ def creep_forces(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figu
     """Forces, moment and sticking share over the distance rolled in each pass, from rest to steady rolling.
 
     A force that is never more than a thousandth of friction times load has no panel. Returns None without creepage.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = [entry for entry in entries(runs, "rolling") if creeps(entry.run)]
     if not shown:

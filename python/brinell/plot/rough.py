@@ -85,10 +85,6 @@ def contact_fraction(runs: Sequence[Run], *, ax: style.Target | None = None) -> 
     """Real contact area over the nominal one, and mean gap, over the mean pressure on the period.
 
     Returns None if no run has surfaces that are periodic along both axes.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     closings = [one for one in map(_closing, entries(runs, "indentation")) if one is not None]
     if not closings:

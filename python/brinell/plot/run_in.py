@@ -32,10 +32,6 @@ def surfaces_before_and_after(runs: Sequence[Run], *, ax: style.Target | None = 
 
     Of one run, a row for each body with a texture.
 
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-
     Returns:
         None of several runs, of a run that has not finished, or of smooth bodies.
     """

@@ -82,8 +82,6 @@ def section(
         plane: "y=0", "x = 0.1 mm", ("z", 2e-5); see `planes.plane_of`. None: y = 0, or the plane through the largest
             plastic strain if little has yielded on y = 0, as the title then says.
         bodies: "both", "lower" or "upper".
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: a field is not stored, the plane lies outside the grids, or the body is rigid.

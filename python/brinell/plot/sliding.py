@@ -53,10 +53,6 @@ def along_way(runs: Sequence[Run], *, ax: style.Target | None = None) -> Figure 
     In a period the contact is its share of the period and the gap is the mean gap; otherwise area and approach are
     drawn.
 
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-
     Returns:
         None if nothing has slid.
     """
@@ -118,10 +114,6 @@ def stroke_by_stroke(runs: Sequence[Run], *, ax: style.Target | None = None) -> 
     """Friction (dashed: by ploughing), contact, plastic work, and rms height of both surfaces by stroke.
 
     For several runs the heights are those of the lower surfaces.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if no run has two strokes: the summary tells the numbers of one.

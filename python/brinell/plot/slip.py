@@ -45,9 +45,6 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: st
 
     Args:
         run: the run of the state, for friction and direction.
-        snapshot: the state to draw.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in this state, or no shear is stored.
@@ -217,7 +214,6 @@ def stick_slip_profiles(states: Sequence[tuple[Run, Snapshot, Look]], *, ax: sty
 
     Args:
         states: the states to draw with their looks; the sticking area of a single state is shaded.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: the bodies do not touch in one of them, or no shear is stored.

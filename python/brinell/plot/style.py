@@ -25,6 +25,7 @@ from matplotlib.colors import Colormap, to_hex
 from matplotlib.figure import Figure
 
 from brinell.plot import placing
+from brinell.plot.described import described
 from brinell.plot.placing import Target
 
 __all__ = [
@@ -161,7 +162,10 @@ def font(size: float) -> float:
 
 
 def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
-    """Decorator that draws a figure within this style, and into the axes that the caller gives by `ax`."""
+    """Decorator that draws a figure within this style, and into the axes that the caller gives by `ax`.
+
+    It describes the arguments that figures have in common, so that each describes only its own.
+    """
 
     @functools.wraps(draw)
     def wrapper(*args: _P.args, **kwargs: _P.kwargs) -> _R:
@@ -169,6 +173,7 @@ def figure(draw: Callable[_P, _R]) -> Callable[_P, _R]:
             drawn = draw(*args, **kwargs)
         return cast(_R, drawn.root if isinstance(drawn, placing.Placed) else drawn)
 
+    wrapper.__doc__ = described(draw)
     return wrapper
 
 

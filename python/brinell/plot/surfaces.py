@@ -30,7 +30,6 @@ def surface(heightmap: HeightMap, *, title: str = "", ax: style.Target | None = 
     Args:
         heightmap: what to draw; level it before if it lies askew.
         title: above it; empty: none.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         InputError: the map has too few points, or is flat.

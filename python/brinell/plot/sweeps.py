@@ -58,7 +58,6 @@ def sweep_numbers(runs: Sequence[Run], over: str | None = None, *, ax: style.Tar
     Args:
         runs: runs, or a sweep.
         over: key of the case on the abscissa; None: the one with most values.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         InputError: the key does not differ between the runs, or is no number.

@@ -89,10 +89,6 @@ def surface_temperatures(run: Run, *, ax: style.Target | None = None) -> Figure 
     slid or rolled; steps of pressing and lifting off are left out. In fretting the cycles are counted instead. The heat
     of the plastic work in both bodies and that of a source from outside are drawn, too.
 
-    Args:
-        run: result to draw.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-
     Returns:
         None if no heat was computed.
     """
@@ -140,9 +136,6 @@ def temperature_section(run: Run, snapshot: Snapshot, *, cells: bool = False, ax
 
     Args:
         run: where the scales come from.
-        snapshot: the state to draw.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: no temperature is stored.
@@ -191,9 +184,6 @@ def surface_temperature_maps(
 
     Args:
         run: where the scales come from.
-        snapshot: the state to draw.
-        cells: show each cell as a rectangle of one colour instead of interpolating between their centres.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Raises:
         RunError: no heat is stored in this state.

@@ -24,10 +24,6 @@ def depth_profiles(runs: Sequence[Run], *, ax: style.Target | None = None) -> Fi
 
     A body that has not yielded there is drawn under its largest plastic strain, as of a contact that yields at its rim;
     the legend names the place. Returns None if no lower body has yielded.
-
-    Args:
-        runs: results, or a sweep.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
     """
     shown = [(*_yielded_profile(entry.run), entry) for entry in entries(runs, "rolling")]
     if not any(np.any(profile.equivalent_plastic_strain) for profile, _, _ in shown):

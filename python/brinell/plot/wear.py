@@ -37,10 +37,6 @@ def worn_profiles(run: Run, *, ax: style.Target | None = None) -> Figure | None:
 
     In plane strain, where nothing varies across, along the motion only.
 
-    Args:
-        run: result to draw.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
-
     Returns:
         None if nothing is worn.
     """
@@ -92,10 +88,6 @@ def _volume(largest: float) -> Scale:
 @style.figure
 def worn_course(run: Run, *, ax: style.Target | None = None) -> Figure | None:
     """The volume that each body has lost, and its largest depth, over the distance.
-
-    Args:
-        run: result to draw.
-        ax: axes of the caller, one per panel, or a figure, to draw into; None: a new figure.
 
     Returns:
         None if nothing is worn.
