@@ -44,10 +44,10 @@ TEST(ExpectedErrors, OfHardnessCoverTheScatterOfTheArea)
   IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
   c.resolution = 7.5;
   constexpr double found = 0.042; // against finer cells: the edge of the area moves by parts of a cell
-  EXPECT_GE(stated_error(expected_quality(c, plan(c)), "hardness"), found);
-  const double coarse = stated_error(expected_quality(c, plan(c)), "hardness");
+  EXPECT_GE(stated_error(quality::expected(c, plan(c)), "hardness"), found);
+  const double coarse = stated_error(quality::expected(c, plan(c)), "hardness");
   c.resolution = 30.0;
-  EXPECT_LE(stated_error(expected_quality(c, plan(c)), "hardness"), 0.3 * coarse) << "of first order";
+  EXPECT_LE(stated_error(quality::expected(c, plan(c)), "hardness"), 0.3 * coarse) << "of first order";
 }
 
 TEST(ExpectedErrors, AreNotStatedOfWhatIsGiven)
