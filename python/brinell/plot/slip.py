@@ -64,7 +64,7 @@ def stick_slip_maps(run: Run, snapshot: Snapshot, *, cells: bool = False, ax: st
         axes[1, 0], state, state.shear_size, length, shear, (style.STRESS_MAP, shear.label("", "|q|")), cells=cells
     )
     draw_size(axes[1, 1], state, state.slip_size, length, slip, (style.STRAIN_MAP, slip.label("", "|s|")), cells=cells)
-    both = "pressure, and the shear on the lower body" if wide > 2.0 else "pressure, and shear\n     on the lower body"
+    both = "pressure, and shear on the lower body" if wide > 2.0 else "pressure, and shear\n     on the lower body"
     titles = (both, "what sticks", "shear", f"slip since {since([run])}")
     for ax, letter, title in zip(axes.flat, "abcd", titles, strict=True):
         ax.set_title(f"({letter})  {title}")
