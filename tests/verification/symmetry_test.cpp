@@ -31,12 +31,12 @@ template <typename ScenarioCase>
 Outcome<ScenarioCase> outcome(ScenarioCase c, bool symmetry)
 {
   c.solver.symmetry = symmetry;
-  EXPECT_EQ(simulation::plan(c).symmetry == Symmetry::in_y, symmetry);
+  EXPECT_EQ(simulation::plan(c).contact.is_mirrored_y, symmetry);
   Outcome<ScenarioCase> result;
   simulation::Observer<typename ScenarioCase::Record> observer;
   observer.on_step = [&](const simulation::StepRecord& r, int) { result.history.push_back(r); };
   result.summary = simulation::run(c, observer);
-  EXPECT_EQ(result.summary.symmetry == Symmetry::in_y, symmetry);
+  EXPECT_EQ(result.summary.is_mirrored_y, symmetry);
   return result;
 }
 

@@ -24,7 +24,7 @@ public:
   void clear();
   /// Adds a cell to the active set. Until the next evaluation its trial deviator is mapped to itself.
   /// @param start   plastic strain before the increment
-  /// @param copies  number of cells that this cell represents, itself included: with symmetry also its mirror image
+  /// @param copies  number of cells that this cell represents, itself included: on a mirrored grid also its mirror image
   void add(std::size_t cell, const Deviator& q, const Deviator& start, int copies);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }

@@ -72,9 +72,6 @@ struct BodySettings
   /// The components on which the loads do work: also the one along x with shear along x, all with shear along x and y. All three
   /// are computed in each evaluation; if only x is added, it is computed on demand.
   halfspace::Displacements displacements = halfspace::Displacements::normal;
-  /// Of history and loads. If there is one, evaluations work on the independent rows alone; in the state all rows are kept
-  /// consistent.
-  Symmetry symmetry = Symmetry::none;
   /// With short cuts: compute only the columns of the active cells and of the load until an evaluation closes the increment; see
   /// Settings::windows.
   bool windows = false;
@@ -150,7 +147,7 @@ struct BodyParts
   /// Centre of the yield surface before the increment.
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(trial.active.copies(a)); }
-  /// Calls use(cell, seen) for an active cell and, with symmetry, for its mirror image; the function `seen` converts a deviator of
+  /// Calls use(cell, seen) for an active cell and, on a mirrored grid, for its mirror image; the function `seen` converts a deviator of
   /// the active cell to its value in that cell.
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const
@@ -169,6 +166,8 @@ struct BodyParts
 class Body
 {
 public:
+  /// @param grid        if it is mirrored, evaluations work on the independent rows alone; in the state all rows are kept
+  ///                    consistent.
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid body.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
        const constitutive::Material& material, const BodySettings& settings = {});
@@ -211,7 +210,7 @@ public:
   /// @returns whether cells outside the active set yield; they have been added to the set.
   bool update(const halfspace::SurfaceLoad& load);
   /// Computes what evaluations leave out but `energy` and `commit` need: the displacement along x of the present trial, if the
-  /// surface bears shear and it is not known yet; and with symmetry the rows of the trial that are mirror images of others.
+  /// surface bears shear and it is not known yet; and of mirror images the rows of the trial that are mirror images of others.
   void complete_trial();
   /// Makes the present trial the new state.
   void commit(const halfspace::SurfaceLoad& load);

@@ -7,7 +7,6 @@
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/hidden.hpp"
-#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
 
 #include <array>
@@ -70,9 +69,8 @@ struct HeatedRun
 /// Numerical settings of the computation of heat.
 struct HeatNumerics
 {
-  bool shortcuts = true;              ///< Settings::shortcuts
-  Symmetry symmetry = Symmetry::none; ///< symmetry of all fluxes
-  bool along_surface = false;         ///< whether the thermal displacement along the surface is needed: partial slip
+  bool shortcuts = true;      ///< Settings::shortcuts
+  bool along_surface = false; ///< whether the thermal displacement along the surface is needed: partial slip
 };
 
 /// Heat of friction, of plastic work and from outside in two bodies: its partition, the temperatures, and the thermal

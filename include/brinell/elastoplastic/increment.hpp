@@ -74,15 +74,15 @@ struct ContactParts;
 class CoupledContact
 {
 public:
+  /// @param contact    if the grids are mirrored, so are both bodies, their surfaces, and all later increments: half of each body
+  ///                   is solved. Not where surfaces may stick.
   /// @param twin       unless none, the upper body has, and keeps, the grid, material and history of the lower one (or their
   ///                   mirror image): only the lower one is solved.
   /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m].
-  /// @param symmetry   of both bodies, their surfaces, and all later increments. With symmetry half of each body is solved; it is
-  ///                   not available where surfaces may stick.
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
-                 double reference = 0.0, const Sliding& sliding = {}, Symmetry symmetry = Symmetry::none);
+                 double reference = 0.0, const Sliding& sliding = {});
 
   [[nodiscard]] BodyView lower() const;
   [[nodiscard]] BodyView upper() const;

@@ -98,4 +98,18 @@ inline void store(const Deviator& d, std::span<double> field, std::size_t cells,
   return std::sqrt(1.5 * contract(s, s));
 }
 
+/// Whether a component changes its sign from one side of the plane y = 0 to the other where both are mirror images.
+[[nodiscard]] constexpr bool is_odd_in_y(int component)
+{
+  return component == Deviator::yz || component == Deviator::xy;
+}
+
+/// The mirror image of a tensor: its value on the other side of y = 0.
+[[nodiscard]] inline Deviator mirrored_in_y(Deviator d)
+{
+  for (const int c : {Deviator::yz, Deviator::xy})
+    d[c] = -d[c];
+  return d;
+}
+
 } // namespace brinell

@@ -24,6 +24,9 @@ struct SurfaceGrid
   double dy = 0.0; ///< cell size along y [m]
   Boundary boundary_x = Boundary::open;
   Boundary boundary_y = Boundary::open;
+  /// Whether the two sides of the plane y = 0 in the middle of the grid, rows j and ny - 1 - j, are mirror images of each other.
+  /// Then the rows up to the middle one determine all fields: docs/theory/half-space.md (symmetry).
+  bool is_mirrored_y = false;
 
   [[nodiscard]] bool is_periodic_x() const { return boundary_x == Boundary::periodic; }
   [[nodiscard]] bool is_periodic_y() const { return boundary_y == Boundary::periodic; }
@@ -39,6 +42,19 @@ struct SurfaceGrid
   [[nodiscard]] double x(int i) const { return (i - 0.5 * (nx - 1)) * dx; }
   [[nodiscard]] double y(int j) const { return (j - 0.5 * (ny - 1)) * dy; }
   [[nodiscard]] double cell_area() const { return dx * dy; }
+  /// Number of rows, from the first one, that determine a field: those of one side and, if the number of rows is odd, the middle
+  /// one.
+  [[nodiscard]] int independent_rows() const { return is_mirrored_y ? (ny + 1) / 2 : ny; }
+  [[nodiscard]] std::size_t independent_cells() const { return index(0, independent_rows()); }
+  /// Number of rows that an independent row represents, including itself: 2, or 1 for the middle row and without mirror images.
+  [[nodiscard]] int copies_of_row(int row) const { return !is_mirrored_y || 2 * row + 1 == ny ? 1 : 2; }
+  /// The grid without the knowledge that its sides are mirror images.
+  [[nodiscard]] SurfaceGrid whole() const
+  {
+    SurfaceGrid grid = *this;
+    grid.is_mirrored_y = false;
+    return grid;
+  }
   bool operator==(const SurfaceGrid&) const = default;
 };
 

@@ -6,36 +6,9 @@
 
 #include <vector>
 
+/// Fields on grids whose two sides of the plane y = 0 are mirror images of each other: `SurfaceGrid::is_mirrored_y`.
 namespace brinell
 {
-
-/// A symmetry that all fields of a body are known to have in advance.
-enum class Symmetry
-{
-  none,
-  /// The two sides of the plane y = 0 in the middle of the grid, rows j and ny - 1 - j, are mirror images of each other. Then the
-  /// rows up to the middle one determine the field: docs/theory/half-space.md (symmetry).
-  in_y
-};
-
-/// Whether a component of a symmetric field changes its sign from one side to the other.
-[[nodiscard]] constexpr bool is_odd_in_y(int component)
-{
-  return component == Deviator::yz || component == Deviator::xy;
-}
-
-/// Number of independent rows, which determine a symmetric field: those of one side and, if the number of rows is odd, the
-/// middle one.
-[[nodiscard]] inline int independent_rows(const SurfaceGrid& grid, Symmetry symmetry)
-{
-  return symmetry == Symmetry::none ? grid.ny : (grid.ny + 1) / 2;
-}
-
-/// Number of rows that one independent row represents, including itself: 2, or 1 for the middle row and without symmetry.
-[[nodiscard]] inline int copies_of_row(const SurfaceGrid& grid, Symmetry symmetry, int row)
-{
-  return symmetry == Symmetry::none || 2 * row + 1 == grid.ny ? 1 : 2;
-}
 
 /// Index of the mirror image of a cell: the cell of the same layer and column on the other side.
 [[nodiscard]] inline std::size_t mirrored_cell(const SurfaceGrid& grid, std::size_t cell)
@@ -43,14 +16,6 @@ enum class Symmetry
   const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
   const std::size_t row = cell / nx % ny;
   return cell + (ny - 1 - 2 * row) * nx; // wraps where the difference is negative
-}
-
-/// The mirror image of a tensor: its value at the mirrored cell.
-[[nodiscard]] inline Deviator mirrored_in_y(Deviator d)
-{
-  for (const int c : {Deviator::yz, Deviator::xy})
-    d[c] = -d[c];
-  return d;
 }
 
 /// Copies the independent rows of a scalar field on a surface or in a volume, even or odd, to the other side.

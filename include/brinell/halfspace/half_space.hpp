@@ -2,7 +2,6 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
-#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
@@ -47,17 +46,15 @@ public:
 
   /// Transformed plastic strain, ready to be combined with a load on the surface.
   class Loaded;
-  /// Transforms the plastic strain [-] of all layers and prepares its stress in the layers [0, layers).
+  /// Transforms the plastic strain [-] of all layers and prepares its stress in the layers [0, layers). On a grid that
+  /// `is_mirrored_y` only the independent rows of the strain are read and those of the stress are written; the displacement has
+  /// all rows.
   /// The returned `Loaded` refers to `plastic_strain`, `work` and this object, and is valid until `work` is used again:
   /// later calls of its functions throw InternalError. The order of the calls: docs/theory/half-space.md.
   /// @param displacements  components of the displacement that the `Loaded` can compute
-  /// @param symmetry       of the strain, and of the loads that the `Loaded` is given. With one, only the independent rows
-  ///                       (`independent_rows`) of the strain are read and those of the stress are written; the displacement
-  ///                       has all rows.
   /// @param with_trace     whether the `Loaded` can compute the trace of the stress, too
   [[nodiscard]] Loaded load(std::span<const double> plastic_strain, int layers, Work& work,
-                            Displacements displacements = Displacements::normal, Symmetry symmetry = Symmetry::none,
-                            bool with_trace = false) const;
+                            Displacements displacements = Displacements::normal, bool with_trace = false) const;
   /// Deviator and trace of the stress [Pa] in the layers [0, layers), for output; other layers are not written.
   /// @param layers  as many as there are, or more: all
   void full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "brinell/foundation/archive.hpp"
-#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
@@ -46,13 +45,12 @@ struct HeatedLayers
 class ThermalField
 {
 public:
+  /// @param grid    if it is mirrored, fluxes must move along x only; it halves memory and work
   /// @param depths  of the layers [m], >= 0, in any order
-  /// @param symmetry  of all future fluxes, which must then move along x only; it halves memory and work
-  /// @param heated    layers in which heat may be generated
+  /// @param heated  layers in which heat may be generated
   /// @throws InputError if a constant or a time is not above 0, a depth is below 0, or depths are given for a rigid body
   ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
-               std::vector<double> depths = {}, HeatImages images = HeatImages::fine,
-               Symmetry symmetry = Symmetry::none, const HeatedLayers& heated = {});
+               std::vector<double> depths = {}, HeatImages images = HeatImages::fine, const HeatedLayers& heated = {});
 
   [[nodiscard]] const SurfaceGrid& grid() const;
   [[nodiscard]] const std::vector<double>& depths() const;

@@ -99,7 +99,6 @@ struct Plan
   int layers = 0;             ///< of grids with fields within the bodies
   int steps = 0;              ///< estimate
   elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
-  Symmetry symmetry = Symmetry::none;                   ///< other than none: half of each body is solved
   halfspace::HeatTimes heat_times;                      ///< of heated bodies; zero without a speed
   bool is_textured = false;                             ///< whether a surface has a texture
   double contact_share = 1.0; ///< estimated share of a period in contact; 1 without an estimate
@@ -280,7 +279,7 @@ struct RunTotals : RunningTotals
   /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear
   double energy_balance_error = 0.0;
   std::vector<GridChange> grid_changes; ///< during the run
-  Symmetry symmetry = Symmetry::none;   ///< other than none: half of each body was solved
+  bool is_mirrored_y = false;           ///< half of each body was solved
   double memory_bytes = 0.0;            ///< estimate for the grids at the end
   Snapshot final_state;                 ///< on the grids at the end
 };

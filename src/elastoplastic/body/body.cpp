@@ -99,6 +99,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   b.yield.softening = b.state.softening;
   prepare_trial(b);
   b.evaluation->compute_anew(b.state, load, b.trial.stress);
+  complete_stress(b);
   b.state.stress = b.trial.stress;
   b.evaluation->store(b.state);
   b.state.locked_in_energy = locked_in_energy(b, load, b.zone);
@@ -189,11 +190,23 @@ void Body::restore()
       b.trial.stress[c * n + b.trial.guessed_cells[a]] = b.trial.guessed_q[a * Deviator::size + c];
 }
 
+/// Copies the stress of the independent rows to their mirror images.
+void complete_stress(BodyParts& b)
+{
+  if (!b.grid.surface.is_mirrored_y)
+    return;
+  const std::size_t layer = b.grid.surface.size();
+#pragma omp parallel for schedule(static)
+  for (std::size_t plane = 0; plane < b.trial.stress.size() / layer; ++plane)
+    complete_in_y(b.grid.surface, is_odd_in_y(static_cast<int>(plane) / b.grid.nz) ? -1.0 : 1.0,
+                  b.trial.stress.data() + plane * layer, layer);
+}
+
 void Body::complete_trial()
 {
   BodyParts& b = parts_;
   b.evaluation->find_displacement_x(b.state.plastic_strain);
-  if (!b.is_plastic() || b.settings.symmetry == Symmetry::none)
+  if (!b.is_plastic() || !b.grid.surface.is_mirrored_y)
     return;
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
   {
@@ -201,11 +214,7 @@ void Body::complete_trial()
     b.with_copies(a, [&](std::size_t cell, const auto& seen)
                   { store(seen(strain), b.state.plastic_strain, b.grid.size(), cell); });
   }
-  const std::size_t layer = b.grid.surface.size();
-#pragma omp parallel for schedule(static)
-  for (std::size_t plane = 0; plane < b.trial.stress.size() / layer; ++plane)
-    complete_in_y(b.grid.surface, is_odd_in_y(static_cast<int>(plane) / b.grid.nz) ? -1.0 : 1.0,
-                  b.trial.stress.data() + plane * layer, layer);
+  complete_stress(b);
 }
 
 void Body::commit(const halfspace::SurfaceLoad& load)

@@ -84,7 +84,7 @@ void find_cells_beyond(const BodyParts& b, const Law& law, std::size_t layer, co
   const auto square = [](double value) { return value < 0.0 ? -1.0 : value * value; };
   const double initial = square(fraction * law.yield_stress_at(0.0));
   std::vector<double> squares(last - first);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(independent_rows(s, b.settings.symmetry)); ++j)
+  for (std::size_t j = 0; j < static_cast<std::size_t>(s.independent_rows()); ++j)
   {
     const std::size_t row = layer * static_cast<std::size_t>(s.ny) + j;
     const std::size_t begin = row * static_cast<std::size_t>(s.nx) + first;
@@ -124,7 +124,7 @@ void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift,
       const int row = static_cast<int>(cell % s.size()) / s.nx;
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
       b.trial.active.add(cell, q, deviator_at(b.state.plastic_strain, n, cell),
-                         copies_of_row(s, b.settings.symmetry, row));
+                         s.copies_of_row(row));
     }
 }
 

@@ -62,7 +62,7 @@ bool may_yield_below(const BodyParts& b)
   const double yield = weakest * constitutive::initial_yield_stress(*b.yield.material.hardening);
   const std::size_t first = last * b.grid.surface.size();
   for (std::size_t cell = first;
-       cell < first + b.grid.surface.index(0, independent_rows(b.grid.surface, b.settings.symmetry)); ++cell)
+       cell < first + b.grid.surface.independent_cells(); ++cell)
     if (von_mises(deviator_at(b.trial.stress, n, cell) - b.centre(cell)) > b.yield.softening_at(cell) * yield - added)
       return true;
   return false;

@@ -22,6 +22,8 @@ void put_on_yield_surface(BodyParts& body, std::size_t first);
 /// @param q_field   on the whole grid, read `shift` columns to the left of each cell; cells without a value there are not added
 /// @param fraction  of the yield stress above which a cell is active; negative: every cell
 void collect_active(BodyParts& body, const std::vector<double>& q_field, int shift, double fraction);
+/// Copies the stress of the independent rows to their mirror images.
+void complete_stress(BodyParts& body);
 /// Stores the q of the active cells, with their mirror images, as the guess for the next increment.
 void store_guess(BodyParts& body);
 /// Recovers the guess from the fields, for instance of a checkpoint: guessed cells are those whose q differs from the stress.

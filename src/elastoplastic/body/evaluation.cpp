@@ -58,7 +58,7 @@ void add_thermal_stress(const VolumeGrid& grid, std::span<const double> thermal,
 Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
                        const constitutive::Material& material, const BodySettings& settings)
     : grid_(grid), half_space_(std::move(half_space)), is_plastic_(material.is_plastic()),
-      shortcuts_(settings.shortcuts), symmetry_(settings.symmetry),
+      shortcuts_(settings.shortcuts),
       has_initial_stress_(!material.initial_stress.empty()), layers_(grid.nz)
 {
   for (int layer = 0; layer < grid_.nz; ++layer)
@@ -69,7 +69,7 @@ Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::
   if (is_plastic_ && settings.displacements == Displacements::all)
     displacement_[2] = displacement_[0];
   if (is_plastic_ && shortcuts_ && settings.windows)
-    window_ = std::make_unique<Window>(grid_, material.elastic, symmetry_);
+    window_ = std::make_unique<Window>(grid_, material.elastic);
 }
 
 void Evaluation::begin(int shift)
@@ -180,7 +180,7 @@ Displacements Evaluation::wanted() const
 void Evaluation::load_strain()
 {
   const bool with_trace = !watched_.empty() && is_whole();
-  loaded_.emplace(half_space_->load(strain_, layers_, work_, wanted(), symmetry_, with_trace));
+  loaded_.emplace(half_space_->load(strain_, layers_, work_, wanted(), with_trace));
   find_displacements(wanted());
 }
 
@@ -202,7 +202,7 @@ void Evaluation::find_displacement_x(std::span<const double> strain)
     return;
   prepare_work();
   loaded_.reset();
-  half_space_->load(strain, 0, work_, Displacements::along_x, symmetry_).displacement({.x = displacement_[1]});
+  half_space_->load(strain, 0, work_, Displacements::along_x).displacement({.x = displacement_[1]});
   knows_displacement_x_ = true;
 }
 
@@ -238,7 +238,7 @@ void Evaluation::stress(const halfspace::SurfaceLoad& load, std::span<const doub
   loaded_->stress(load, stress);
   if (!watched_.empty() && is_whole())
     find_traces(load);
-  const int rows = independent_rows(grid_.surface, symmetry_);
+  const int rows = grid_.surface.independent_rows();
   add_initial_stress(layers_, rows, stress);
   add_thermal_stress(grid_, thermal, layers_, rows, stress);
   may_use_window_ = false;

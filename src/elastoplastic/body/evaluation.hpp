@@ -89,7 +89,6 @@ private:
   VolumeGrid grid_;
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
   bool is_plastic_, shortcuts_;
-  Symmetry symmetry_;
   std::vector<double> initial_stress_; ///< of the layers
   bool has_initial_stress_;
   halfspace::HalfSpace::Work work_;

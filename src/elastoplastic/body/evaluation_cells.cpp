@@ -13,10 +13,10 @@ namespace
 {
 
 /// The cell of the independent rows that has the same trace as a cell.
-std::size_t independent_cell(const SurfaceGrid& surface, std::size_t cell, Symmetry symmetry)
+std::size_t independent_cell(const SurfaceGrid& surface, std::size_t cell)
 {
   const auto nx = static_cast<std::size_t>(surface.nx), row = cell / nx;
-  if (static_cast<int>(row) < independent_rows(surface, symmetry))
+  if (static_cast<int>(row) < surface.independent_rows())
     return cell;
   return (static_cast<std::size_t>(surface.ny) - 1 - row) * nx + cell % nx;
 }
@@ -37,7 +37,7 @@ void Evaluation::find_traces(const halfspace::SurfaceLoad& load)
       loaded_->trace(load, static_cast<int>(wanted), layer);
       known = wanted;
     }
-    watched_trace_[n] = layer[independent_cell(surface, watched_[n] % surface.size(), symmetry_)];
+    watched_trace_[n] = layer[independent_cell(surface, watched_[n] % surface.size())];
   }
   knows_traces_ = true;
 }

@@ -30,8 +30,8 @@ void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
     kept[t].assign(parts[t].begin(), parts[t].end());
 }
 
-Window::Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry)
-    : body_(body), elastic_(elastic), symmetry_(symmetry), cells_(body), requests_(window_shares.size(), 0.0)
+Window::Window(const VolumeGrid& body, const Elastic& elastic)
+    : body_(body), elastic_(elastic), cells_(body), requests_(window_shares.size(), 0.0)
 {
 }
 
@@ -87,7 +87,7 @@ bool Window::place(const Columns& needed, const Reference& reference)
 template <typename Use>
 void Window::for_independent_rows(int layers, const Use& use) const
 {
-  const int rows = independent_rows(cells_.surface, symmetry_);
+  const int rows = cells_.surface.independent_rows();
 #pragma omp parallel for schedule(static)
   for (int plane = 0; plane < Deviator::size * layers; ++plane)
   {
@@ -191,7 +191,7 @@ void Window::load(std::span<const double> strain, const ActiveCells& active, int
   find_strain_change(strain, active);
   Part& part = operators();
   halfspace::HalfSpace::exchange_buffers(part.work, host);
-  loaded_.emplace(part.half_space.load(strain_change_, layers, part.work, displacements, symmetry_));
+  loaded_.emplace(part.half_space.load(strain_change_, layers, part.work, displacements));
   std::array<std::span<double>, 3> wanted;
   for (std::size_t t = 0; t < wanted.size(); ++t)
     if (!displacement[t].empty())

@@ -44,7 +44,7 @@ inline constexpr double requests_without_window = 3.0;
 class Window
 {
 public:
-  Window(const VolumeGrid& body, const Elastic& elastic, Symmetry symmetry);
+  Window(const VolumeGrid& body, const Elastic& elastic);
 
   /// A consistent solution for the whole body.
   struct Reference
@@ -102,7 +102,6 @@ private:
 
   VolumeGrid body_;
   Elastic elastic_;
-  Symmetry symmetry_;
   Columns columns_{0, 0};
   VolumeGrid cells_;                                       ///< grid of the window
   int layers_ = 0;                                         ///< number of layers whose stress is computed

@@ -77,9 +77,9 @@ BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& mater
   else
   {
     const halfspace::HeatedLayers heated = heated_layers(volume, material, run.settings);
-    field_.emplace(
-        grid_, thermal_, material.elastic, run.times, is_rigid_ ? std::vector<double>{} : depths_of(volume, run.layers),
-        numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, numerics.symmetry, heated);
+    field_.emplace(grid_, thermal_, material.elastic, run.times,
+                   is_rigid_ ? std::vector<double>{} : depths_of(volume, run.layers),
+                   numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, heated);
     if (heated.count > 0)
       plastic_.emplace(grid_, run.settings.of_plastic_work);
   }

@@ -41,7 +41,6 @@ struct ContactParts : Between
   Scales scales;
   Settings settings;
   Twin twin;
-  Symmetry symmetry;
   contact::ElasticContact contact{compliance};
   std::vector<Side> sides{}; ///< the lower body, and the upper one unless it is a twin
   WindowError window_error{};

@@ -39,12 +39,12 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures, double reference,
-                               const Sliding& sliding, Symmetry symmetry)
+                               const Sliding& sliding)
     : parts_(make_hidden<ContactParts>(
           Between{},
           halfspace::SurfaceCompliance(contact, contact_modulus(lower_material.elastic, upper_material.elastic),
                                        reference),
-          std::move(textures), scales, settings, twin, sliding.sticks ? Symmetry::none : symmetry)),
+          std::move(textures), scales, settings, twin)),
       between_(&*parts_)
 {
   ContactParts& c = *parts_;
@@ -52,8 +52,11 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     field->assign(contact.size(), 0.0);
   for (const SurfaceGrid& s : {lower.surface, upper.surface})
     if (s.ny != contact.ny || s.dx != contact.dx || s.dy != contact.dy || s.boundary_x != contact.boundary_x ||
-        s.boundary_y != contact.boundary_y || (contact.is_periodic_x() && s.nx != contact.nx))
+        s.boundary_y != contact.boundary_y || s.is_mirrored_y != contact.is_mirrored_y ||
+        (contact.is_periodic_x() && s.nx != contact.nx))
       throw InternalError("CoupledContact: the three grids must have the same cells, rows and boundaries");
+  if (sliding.sticks && contact.is_mirrored_y)
+    throw InternalError("CoupledContact: surfaces that may stick are not solved by halves");
   const bool are_alike = lower == upper && lower_material.elastic == upper_material.elastic;
   if (twin != Twin::none && !(are_alike && lower_material == upper_material))
     throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
@@ -69,7 +72,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   if (sliding.heat)
     c.heating = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
-        *sliding.heat, twin, HeatNumerics{settings.shortcuts, c.symmetry, c.may_stick()});
+        *sliding.heat, twin, HeatNumerics{settings.shortcuts, c.may_stick()});
   if (twin != Twin::none && !sliding.effects.are_alike())
     throw InternalError("CoupledContact: bodies on which an effect acts in different ways are not twins");
   c.effects = make_effects(sliding.effects, contact, lower.surface, upper.surface,
@@ -77,7 +80,6 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const auto half_space = operators(lower, lower_material.elastic);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),
-                             .symmetry = c.symmetry,
                              .windows = settings.windows};
   c.sides.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
   if (twin == Twin::none)

@@ -24,9 +24,8 @@ double cell_mean(double angle)
 } // namespace
 
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-                       const DepthFactors& surface, Symmetry symmetry,
-                       const std::shared_ptr<const LayeredConduction>& layers)
-    : fft_(grid, px, py, symmetry), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
+                       const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers)
+    : fft_(grid, px, py), diffusivity_(thermal.diffusivity()), conductivity_(thermal.conductivity),
       waves_(std::move(waves)), at_surface_(surface.at_surface.end() - static_cast<std::ptrdiff_t>(waves_.waves.size()),
                                             surface.at_surface.end() - 1),
       heat_{AlignedVector<ComplexLanes>(block_of(fft_.rows()) * waves_.waves.size())}

@@ -27,6 +27,7 @@ struct HeatRow
 };
 
 /// Memory of one periodic surface: for each wave in depth and along the surface, the heat that is left of all that has entered.
+/// On a grid that is mirrored only the independent rows of waves are stored.
 class HeatMemory
 {
 public:
@@ -44,11 +45,9 @@ public:
   /// @param grid      grid of flux and temperature
   /// @param px, py    periods, in cells of the grid
   /// @param surface   factors of all waves in depth at the surface, of which `waves` are the last ones
-  /// @param symmetry  of all fluxes; with one, only the independent rows of waves are stored
   /// @param layers    layers in which heat may be generated; nullptr: none
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-             const DepthFactors& surface, Symmetry symmetry,
-             const std::shared_ptr<const LayeredConduction>& layers = nullptr);
+             const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return fft_.full_plane().grid(); }
   [[nodiscard]] int period_x() const { return fft_.full_plane().px(); } ///< [cells]
@@ -93,7 +92,7 @@ public:
 
   [[nodiscard]] const Heat& heat() const { return heat_; }
   void set_heat(const Heat& heat);
-  /// The heat in a layout that does not depend on the symmetry; real and imaginary parts alternate.
+  /// The heat in the layout of a grid that is not mirrored; real and imaginary parts alternate.
   struct WholeHeat
   {
     std::vector<double> waves, amended;
@@ -101,7 +100,7 @@ public:
   };
   [[nodiscard]] WholeHeat whole_heat() const;
   void set_whole_heat(const WholeHeat& heat);
-  /// Heat in the body in a layout that does not depend on the symmetry; empty if no heat can be generated there.
+  /// Heat in the body in the layout of a grid that is not mirrored; empty if no heat can be generated there.
   [[nodiscard]] std::vector<double> whole_heat_in_body() const;
   void set_whole_heat_in_body(std::span<const double> values);
 

@@ -34,8 +34,7 @@ struct WantedOfHeat
 {
   double deepest = -1.0; ///< largest depth of fields in the body [m]; negative: no fields in the body
   HeatImages images = HeatImages::fine;
-  Symmetry symmetry = Symmetry::none; ///< of all fluxes
-  HeatedLayers heated{};              ///< layers of the body in which heat may be generated
+  HeatedLayers heated{}; ///< layers of the body in which heat may be generated
 };
 
 /// The waves in depth of a body.

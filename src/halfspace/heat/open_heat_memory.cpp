@@ -84,9 +84,8 @@ OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, 
 
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                                const Wanted& wanted, const DepthWaves& waves, const ImagesOfHeat& images)
-    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
-      symmetry_(wanted.symmetry), waves_(waves),
-      near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), wanted.symmetry, layers_)
+    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)), waves_(waves),
+      near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), layers_)
 {
   plan_images(thermal, wanted, images);
   // Images are at least as far away as the grid is wide. For layers down to that depth, seven points have an error of 1e-4 of the
@@ -112,7 +111,7 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted, c
     const DepthWaves slow = waves_.slower_than(images.decayed / distance);
     const auto layers = wanted.images == HeatImages::coarse ? layers_for_images(layers_, distance) : layers_;
     const auto memory = [&](int px, int py)
-    { return HeatMemory(cells.grid(), px, py, thermal, slow, surface, wanted.symmetry, layers); };
+    { return HeatMemory(cells.grid(), px, py, thermal, slow, surface, layers); };
     farther_.push_back(
         {cells, Lattices{memory(images.twice_x, images.twice_y), memory(images.once_x, images.once_y), layers}});
   }
@@ -243,7 +242,7 @@ void OpenHeatMemory::add_step(const char* function_name, std::span<const double>
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
   require_step(function_name, motion.duration);
-  if (symmetry_ != Symmetry::none && motion.velocity_y != 0.0)
+  if (grid().is_mirrored_y && motion.velocity_y != 0.0)
     throw InputError(fmt::format("{}: a flux that is symmetric in y moves along y at {} m/s; allowed: along x only",
                                  function_name, motion.velocity_y));
   std::size_t lattice = 0;

@@ -97,7 +97,6 @@ private:
   HeatTimes times_;
   HeatedLayers heated_;
   std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat is generated in the body
-  Symmetry symmetry_;
   double time_ = 0.0;
   DepthWaves waves_;
   HeatMemory near_;

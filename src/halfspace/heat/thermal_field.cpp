@@ -177,7 +177,7 @@ void ThermalField::State::find_layers(double duration, const Layers& which, cons
 }
 
 ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
-                           const HeatTimes& times, std::vector<double> depths, HeatImages images, Symmetry symmetry,
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images,
                            const HeatedLayers& heated)
 {
   for (const double depth : depths)
@@ -188,9 +188,9 @@ ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, cons
   if (!std::isfinite(thermal.expansion))
     throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
   const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
-  state_ = make_hidden<State>(
-      elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu), thermal.density * thermal.specific_heat,
-      std::move(depths), OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, symmetry, heated}));
+  state_ = make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu),
+                              thermal.density * thermal.specific_heat, std::move(depths),
+                              OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, heated}));
   state_->tabulate();
 }
 

@@ -35,10 +35,9 @@ OfCell displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, con
   for (std::size_t part = 0; part < parts_of(components); ++part)
     displacement[part].resize(offsets.size());
   flux[offsets.index(grid.is_periodic_x() ? 0 : grid.nx - 1, grid.is_periodic_y() ? 0 : grid.ny - 1)] = 1.0;
-  // The heated cell is in the middle row, so the field is symmetric in y.
-  const bool is_symmetric = !grid.is_periodic_y() && motion.velocity_y == 0.0;
-  ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration}, {}, HeatImages::fine,
-                     is_symmetric ? Symmetry::in_y : Symmetry::none);
+  // The heated cell is in the middle row, so both sides of it are mirror images.
+  offsets.is_mirrored_y = !grid.is_periodic_y() && motion.velocity_y == 0.0;
+  ThermalField field(offsets, thermal, elastic, {motion.duration, motion.duration}, {}, HeatImages::fine);
   field.add_step(flux, motion);
   field.displacement({displacement[0], displacement[1], displacement[2]});
   return displacement;

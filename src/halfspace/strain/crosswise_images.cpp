@@ -181,7 +181,7 @@ void CrosswiseImages::find_moments_of_layer(const Columns& strain, int first, in
   }
 }
 
-void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const
+void CrosswiseImages::respond(int layers, Response& response, bool is_mirrored, bool with_trace) const
 {
 #pragma omp parallel for schedule(static)
   for (int e = 0; e < strains; ++e)
@@ -189,12 +189,12 @@ void CrosswiseImages::respond(int layers, Response& response, Symmetry symmetry,
                    {depth_.means, layers, depth_.count},
                    response.moments.data() + static_cast<std::ptrdiff_t>(e * depth_.count * block()));
   for (int part = 0; part < coupling_.parts(); ++part)
-    multiply(part, response, along_x_ ? symmetry : Symmetry::none, with_trace ? stresses : strains);
+    multiply(part, response, along_x_ && is_mirrored, with_trace ? stresses : strains);
 }
 
 /// Moments of the strain for some waves -> coefficients of the stress, for u and v (see `fit`).
-/// @param symmetry  across the grid
-void CrosswiseImages::multiply(int part, Response& response, Symmetry symmetry, int components) const
+/// @param is_mirrored  whether the fields are mirror images across the grid
+void CrosswiseImages::multiply(int part, Response& response, bool is_mirrored, int components) const
 {
   const auto used = static_cast<std::size_t>(std::min(lane_count, waves_ - part * lane_count));
   const auto in_wave_part = [&](int component, int depth, int power) // of cosines and sines by turns
@@ -215,7 +215,7 @@ void CrosswiseImages::multiply(int part, Response& response, Symmetry symmetry, 
                 response.of_strain[to] = WaveCoupling::of_strain(b) * (is_odd ? times_minus_i(wave) : wave);
               });
   std::fill(response.of_stress.begin(), response.of_stress.end(), ComplexLanes{});
-  coupling_.multiply(part, response.of_strain.data(), symmetry, components, response.of_stress.data());
+  coupling_.multiply(part, response.of_strain.data(), is_mirrored, components, response.of_stress.data());
   for_moments(components,
               [&](int to, std::size_t from, int b, bool is_odd)
               {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "foundation/aligned.hpp"
 #include "foundation/lane_functions.hpp"
@@ -50,7 +49,7 @@ public:
   /// @param first, end  cells along the grid that are read; the strain is zero in the others
   void find_moments_of_layer(const Columns& strain, int first, int end, int component, int layer,
                              Response& response) const;
-  void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
+  void respond(int layers, Response& response, bool is_mirrored, bool with_trace) const;
   /// Amplitudes of the waves of the stress of the images in one layer, [power][wave].
   [[nodiscard]] AlignedVector<double> amplitudes(const Response& response, int component, int layer) const;
   /// Sums of the waves at neighbouring cells along the grid, for the powers `first_power`, `first_power + next`, ...
@@ -75,7 +74,7 @@ private:
   [[nodiscard]] int lanes() const { return (2 * waves_ + lane_count - 1) / lane_count; } ///< of all waves of a cell
   void fit(int wave, const Elastic& elastic, double period_along, double period_across);
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
-  void multiply(int part, Response& response, Symmetry symmetry, int components) const;
+  void multiply(int part, Response& response, bool is_mirrored, int components) const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_across() const;
   [[nodiscard]] bool is_odd_along(int component) const { return odd_along()[static_cast<std::size_t>(component)] != 0; }

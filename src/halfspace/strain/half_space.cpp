@@ -80,7 +80,7 @@ HalfSpace::Work HalfSpace::make_guest() const
 }
 
 HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work,
-                                  Displacements displacements, Symmetry symmetry, bool with_trace) const
+                                  Displacements displacements, bool with_trace) const
 {
   require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * grid().size());
   if (layers < 0 || layers > grid().nz)
@@ -88,7 +88,7 @@ HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int la
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
-  buffers.symmetry = symmetry;
+  buffers.is_mirrored = grid().surface.is_mirrored_y;
   if (with_trace)
     buffers.trace.resize(operators_->trace_fft.block_size() * static_cast<std::size_t>(operators_->trace_fft.blocks()));
   operators_->load_strain(plastic_strain, layers, displacements, buffers, with_trace ? buffers.trace.data() : nullptr);
@@ -129,10 +129,10 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
   require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.grid.size());
   require_current("HalfSpace::Loaded::stress");
   op.load_surface(load, *buffers_);
-  if (buffers_->symmetry == Symmetry::none)
-    op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
-  else
+  if (buffers_->is_mirrored)
     op.add_load_and_invert_mirrored(load, plastic_strain_, *buffers_, deviator);
+  else
+    op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
 }
 
 void HalfSpace::Loaded::trace(const SurfaceLoad& load, int layer, std::span<double> out) const
@@ -157,7 +157,7 @@ void HalfSpace::stress_of_load(const SurfaceLoad& load, int layer, Work& work, s
   if (work.empty())
     throw InternalError("HalfSpace::stress_of_load: the work is empty; make_guest makes one");
   Work::Buffers& buffers = *work.buffers_;
-  buffers.symmetry = Symmetry::none;
+  buffers.is_mirrored = false;
   ++buffers.number;
   op.load_surface(load, buffers);
   const AlignedVector<ComplexLanes> nothing(op.surface_fft.block_size() *
@@ -182,7 +182,7 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   Work::Buffers& buffers = *work.buffers_;
   const BlockedFft& fft = op.trace_fft;
   AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
-  buffers.symmetry = Symmetry::none;
+  buffers.is_mirrored = false;
   op.load_strain(plastic_strain, computed, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));

@@ -76,9 +76,9 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers(boo
   return work;
 }
 
-int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const
+int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain, bool is_mirrored) const
 {
-  const int rows = independent_rows(grid.surface, symmetry);
+  const int rows = is_mirrored ? grid.surface.independent_rows() : grid.surface.ny;
   const auto has_strain = [&](int layer)
   {
     for (int j = rows - 1; j >= 0; --j)
@@ -99,7 +99,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   if (work.strain.size() < static_cast<std::size_t>(work.blocks_at_a_time) * volume_fft.block_size())
     throw InternalError(
         "HalfSpace::load: the buffers of the strain are too small; were they lent to another half space?");
-  const int strained = strained_layers(plastic_strain, work.symmetry);
+  const int strained = strained_layers(plastic_strain, work.is_mirrored);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.has_trace = false;
@@ -124,21 +124,21 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
       {
         ComplexLanes* spectrum = work.surface[t].data() + surface_fft.plane_at(block, 0);
-        if (work.symmetry != Symmetry::none)
+        if (work.is_mirrored)
           mirrored_fft.complete(tractions[t] == Traction::shear_y, spectrum);
         surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft);
       }
   };
   in_threads(threads, load);
   if (layers > 0)
-    image_correction.respond(strained, work.images, work.symmetry, trace != nullptr);
+    image_correction.respond(strained, work.images, work.is_mirrored, trace != nullptr);
 }
 
 /// Transforms the strain along x, and computes from each plane its used cells and moments. To be called by all threads.
 void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
-  if (work.symmetry != Symmetry::none)
+  if (work.is_mirrored)
     return transform_strain_mirrored(plastic_strain, layers, work, scratch.mirrored);
 #pragma omp for schedule(static)
   for (int plane = 0; plane < Deviator::size * layers; ++plane)
@@ -151,7 +151,7 @@ void HalfSpace::Operators::transform_strain(std::span<const double> plastic_stra
                                         grid.surface.size()));
     const CellRectangle used = used_cells(strain, grid.surface.nx, grid.surface.ny);
     work.used[static_cast<std::size_t>(plane)] = used;
-    image_correction.find_moments_of_layer(strain, used, component, layer, Symmetry::none, work.images);
+    image_correction.find_moments_of_layer(strain, used, component, layer, false, work.images);
     volume_fft.rows_forward(strain, plane, work.rows(volume_fft.rows_size()), scratch.fft);
   }
 }
@@ -214,7 +214,7 @@ void HalfSpace::Operators::process_waves(int block, int strained, const OfTracti
   for (int first = rows * team.rank / team.count; first < end; first += SpectrumRows::most)
   {
     const SpectrumRows own{first, std::min(SpectrumRows::most, end - first)};
-    for (const SpectrumRows& tile : {own, work.symmetry == Symmetry::none ? mirrored(own) : SpectrumRows{}})
+    for (const SpectrumRows& tile : {own, work.is_mirrored ? SpectrumRows{} : mirrored(own)})
     {
       if (work.layers > 0)
         eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
@@ -228,7 +228,7 @@ void HalfSpace::Operators::transform_layers(int block, int layers, const OfTract
                                             const Team& team, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
-  const bool is_mirrored = work.symmetry != Symmetry::none;
+  const bool is_mirrored = work.is_mirrored;
   ComplexLanes* const spectrum = strain_of(block, work);
   for (int part = team.rank; part < parts_for(layers); part += team.count) // the same assignment as along x
   {
@@ -244,7 +244,7 @@ void HalfSpace::Operators::transform_layers(int block, int layers, const OfTract
         volume_fft.columns_forward(work.rows(volume_fft.rows_size()), block, Deviator::size * layer + component,
                                    strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-        kernels[t]->add_displacement(block, layer, spectrum_rows(work.symmetry), strain,
+        kernels[t]->add_displacement(block, layer, spectrum_rows(work), strain,
                                      sums + static_cast<std::ptrdiff_t>(t) * surface_fft.pitch());
     }
   }
@@ -320,14 +320,14 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
     ComplexLanes* sum = scratch.fft.column.data();
     if (is_loaded)
     {
-      TractionStress::add(kernels, block, component, layer, spectrum_rows(work.symmetry), surface_spectra(block, work),
-                          column, next_block(fft, block, column), sum);
+      TractionStress::add(kernels, block, component, layer, spectrum_rows(work), surface_spectra(block, work), column,
+                          next_block(fft, block, column), sum);
       column = sum;
     }
-    if (work.symmetry != Symmetry::none)
+    if (work.is_mirrored)
     {
       if (!is_loaded)
-        std::copy_n(column, spectrum_rows(work.symmetry), sum);
+        std::copy_n(column, spectrum_rows(work), sum);
       mirrored_fft.complete(component < Deviator::size && is_odd_in_y(component), sum);
       column = sum;
     }
@@ -361,7 +361,7 @@ void HalfSpace::Operators::finish(int component, int layer, std::span<const doub
   for (int c = 0; c < Deviator::size; ++c)
     strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer) + begin;
   eigenstrain_stress.add_local(component, strain, grid.surface.index(0, rows.end_y) - begin, field + begin);
-  image_correction.subtract(work.images, component, layer, work.symmetry, field);
+  image_correction.subtract(work.images, component, layer, work.is_mirrored, field);
 }
 
 } // namespace brinell::halfspace

@@ -54,7 +54,7 @@ struct HalfSpace::Work::Buffers
   AlignedVector<ComplexLanes> trace; ///< spectra of the trace of the stress, if they have been asked for
   ImageCorrection::Response images;
   std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
-  Symmetry symmetry = Symmetry::none;                  ///< of the strain loaded
+  bool is_mirrored = false;                            ///< whether the strain loaded is that of one side
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
@@ -95,11 +95,11 @@ struct HalfSpace::Operators
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
                            std::span<double> stress) const;
-  /// Counterpart of add_load_and_invert for symmetric fields.
+  /// Counterpart of add_load_and_invert for fields that are mirror images.
   void add_load_and_invert_mirrored(const SurfaceLoad& load, std::span<const double> plastic_strain,
                                     Work::Buffers& work, std::span<double> stress) const;
   /// One component of the stress, or its trace, in one layer: adds the stress of the surface load to the residual stress in the
-  /// spectra of all blocks, and transforms the sum back to the grid. With symmetry the spectra need only the rows of
+  /// spectra of all blocks, and transforms the sum back to the grid. The spectra need only the rows of
   /// `spectrum_rows`.
   void invert_plane(int component, int layer, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
                     const ComplexLanes* spectra, int plane, const Work::Buffers& work, Work::Buffers::Scratch& scratch,
@@ -112,7 +112,7 @@ struct HalfSpace::Operators
     return static_cast<std::size_t>(component * grid.nz + layer) * grid.surface.size();
   }
   /// Number of layers from the surface down to the deepest one with plastic strain.
-  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain, Symmetry symmetry) const;
+  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain, bool is_mirrored) const;
 
 private:
   void transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
@@ -150,10 +150,10 @@ private:
                                                  const Work::Buffers& work, ComplexLanes* sum) const;
   /// Spectra of the traction in one block.
   [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
-  /// Number of rows of a spectrum that are computed: with symmetry those of the wavenumbers ky >= 0.
-  [[nodiscard]] int spectrum_rows(Symmetry symmetry) const
+  /// Number of rows of a spectrum that are computed: of mirror images those of the wavenumbers ky >= 0.
+  [[nodiscard]] int spectrum_rows(const Work::Buffers& work) const
   {
-    return symmetry == Symmetry::none ? volume_fft.py() : volume_fft.py() / 2 + 1;
+    return work.is_mirrored ? volume_fft.py() / 2 + 1 : volume_fft.py();
   }
   void sum_displacement(int block, const SpectrumRows& rows, int parts,
                         const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "brinell/foundation/deviator.hpp"
-#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/elastic.hpp"
 #include "crosswise_images.hpp"
 #include "foundation/blocked_fft.hpp"
@@ -47,15 +46,16 @@ public:
   /// Computes the moments of one component of the strain in one layer, given on the grid. To be called layer by layer, while the
   /// layer is in the cache for other work.
   /// @param used      the cells that are read; the strain is zero in the others
-  /// @param symmetry  here and below: with one, only the independent rows are read and written
+  /// @param is_mirrored  whether the fields are mirror images about y = 0, here and below: then only the independent rows of a
+  ///                     grid that says so are read and written
   void find_moments_of_layer(const double* strain, const CellRectangle& used, int component, int layer,
-                             Symmetry symmetry, Response& response) const;
+                             bool is_mirrored, Response& response) const;
   /// Response to the traceless strain whose moments in the layers [0, layers) have been computed; beneath, the strain is zero.
   /// @param with_trace  whether the trace of the stress is needed, too, which adds a sixth of the products
-  void respond(int layers, Response& response, Symmetry symmetry, bool with_trace) const;
+  void respond(int layers, Response& response, bool is_mirrored, bool with_trace) const;
   static constexpr int trace = Deviator::size; ///< component index of the trace of the stress, after those of Deviator
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
-  void subtract(const Response& response, int component, int layer, Symmetry symmetry, double* stress) const;
+  void subtract(const Response& response, int component, int layer, bool is_mirrored, double* stress) const;
 
 private:
   static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
@@ -71,7 +71,7 @@ private:
     even,
     odd
   };
-  [[nodiscard]] static PowersOfY powers_of_y(int component, Symmetry symmetry);
+  [[nodiscard]] static PowersOfY powers_of_y(int component, bool is_mirrored);
   template <PowersOfY has>
   void sum_powers(const double* strain, const CellRectangle& cells, int component, int layer, Response& response) const;
   template <PowersOfY has>

@@ -19,19 +19,19 @@ void subtract_lanes(const Lanes& value, std::size_t used, double* from)
 
 } // namespace
 
-ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, Symmetry symmetry)
+ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, bool is_mirrored)
 {
-  if (symmetry == Symmetry::none)
+  if (!is_mirrored)
     return PowersOfY::all;
   return is_odd_in_y(component) ? PowersOfY::odd : PowersOfY::even;
 }
 
 void ImageCorrection::find_moments_of_layer(const double* strain, const CellRectangle& used, int component, int layer,
-                                            Symmetry symmetry, Response& response) const
+                                            bool is_mirrored, Response& response) const
 {
   if (!has_images_)
     return;
-  switch (powers_of_y(component, symmetry))
+  switch (powers_of_y(component, is_mirrored))
   {
   case PowersOfY::all:
     return sum_powers<PowersOfY::all>(strain, used, component, layer, response);
@@ -99,7 +99,7 @@ void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cell
 CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY has) const
 {
   const SurfaceGrid& s = grid_.surface;
-  const int rows = independent_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
+  const int rows = has == PowersOfY::all ? s.ny : s.independent_rows();
   CrosswiseImages::Columns sums(s.ny, CrosswiseImages::powers);
   assign_transposed_product({field, s.nx, rows}, {x_, s.nx, CrosswiseImages::powers}, sums);
   for (int power = 0; power < CrosswiseImages::powers; ++power)
@@ -108,12 +108,12 @@ CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY
   return sums;
 }
 
-void ImageCorrection::subtract(const Response& response, int component, int layer, Symmetry symmetry,
+void ImageCorrection::subtract(const Response& response, int component, int layer, bool is_mirrored,
                                double* stress) const
 {
   if (!has_images_)
     return;
-  switch (powers_of_y(component, symmetry))
+  switch (powers_of_y(component, is_mirrored))
   {
   case PowersOfY::all:
     return subtract_powers<PowersOfY::all>(response, component, layer, stress);
@@ -135,7 +135,7 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
     along_x = crosswise_->amplitudes(response.crosswise, component, layer);
   else if (crosswise_)
   {
-    const int rows = independent_rows(s, has == PowersOfY::all ? Symmetry::none : Symmetry::in_y);
+    const int rows = has == PowersOfY::all ? s.ny : s.independent_rows();
     subtract_product({x_, s.nx, CrosswiseImages::powers},
                      {crosswise_->stress(response.crosswise, component, layer), rows, CrosswiseImages::powers}, stress);
   }

@@ -43,7 +43,7 @@ MomentCoupling::Work MomentCoupling::make_work() const
           AlignedVector<Lanes>(static_cast<std::size_t>(stresses * monomials() * parts()))};
 }
 
-void MomentCoupling::multiply(const double* strain, Symmetry symmetry, int components, Work& work, double* stress) const
+void MomentCoupling::multiply(const double* strain, bool is_mirrored, int components, Work& work, double* stress) const
 {
   const auto of = [this](int component, int depth)
   { return static_cast<std::ptrdiff_t>(component * depths_ + depth) * monomials(); };
@@ -55,7 +55,7 @@ void MomentCoupling::multiply(const double* strain, Symmetry symmetry, int compo
   std::fill(work.stress.begin(), work.stress.end(), Lanes{});
   for (const Term& term : terms_)
     if (term.c < components)
-      add_term(term, symmetry, work);
+      add_term(term, is_mirrored, work);
   for (int c = 0; c < components; ++c)
     for (int q = 0; q < depths_; ++q)
       for (std::size_t p = 0; p < share_.size(); ++p)
@@ -67,10 +67,10 @@ void MomentCoupling::multiply(const double* strain, Symmetry symmetry, int compo
 
 /// Calls add(moment of the strain, moment of the stress), each at all depths, for all pairs of moments that a term couples.
 template <typename Add>
-void MomentCoupling::for_products(const Term& term, Symmetry symmetry, Work& work, const Add& add) const
+void MomentCoupling::for_products(const Term& term, bool is_mirrored, Work& work, const Add& add) const
 {
-  const int step = symmetry == Symmetry::none ? 1 : 2;
-  const int first = symmetry == Symmetry::none ? 0 : images::odd_in_y[static_cast<std::size_t>(term.c)];
+  const int step = is_mirrored ? 2 : 1;
+  const int first = is_mirrored ? images::odd_in_y[static_cast<std::size_t>(term.c)] : 0;
   const double* strain = work.strain.data() + static_cast<std::ptrdiff_t>(term.e * monomials()) * depths_;
   Lanes* stress = work.stress.data() + static_cast<std::ptrdiff_t>(term.c * monomials()) * parts();
   for (int a = 0; a <= term.a; ++a)
@@ -81,12 +81,12 @@ void MomentCoupling::for_products(const Term& term, Symmetry symmetry, Work& wor
 
 /// For few depths: the kernel stays in registers.
 template <std::size_t depths>
-void MomentCoupling::add_short_term(const Term& term, Symmetry symmetry, Work& work) const
+void MomentCoupling::add_short_term(const Term& term, bool is_mirrored, Work& work) const
 {
   constexpr std::size_t parts = (depths + lane_count - 1) / lane_count;
   std::array<Lanes, parts * depths> value;
   std::copy_n(value_.data() + term.value, parts * depths, value.begin());
-  for_products(term, symmetry, work,
+  for_products(term, is_mirrored, work,
                [&](const double* from, Lanes* to)
                {
 #pragma GCC unroll 4
@@ -101,22 +101,22 @@ void MomentCoupling::add_short_term(const Term& term, Symmetry symmetry, Work& w
                });
 }
 
-void MomentCoupling::add_term(const Term& term, Symmetry symmetry, Work& work) const
+void MomentCoupling::add_term(const Term& term, bool is_mirrored, Work& work) const
 {
   switch (depths_)
   {
   case 5:
-    return add_short_term<5>(term, symmetry, work);
+    return add_short_term<5>(term, is_mirrored, work);
   case 6:
-    return add_short_term<6>(term, symmetry, work);
+    return add_short_term<6>(term, is_mirrored, work);
   case 7:
-    return add_short_term<7>(term, symmetry, work);
+    return add_short_term<7>(term, is_mirrored, work);
   case 8:
-    return add_short_term<8>(term, symmetry, work);
+    return add_short_term<8>(term, is_mirrored, work);
   default:
     break;
   }
-  for_products(term, symmetry, work,
+  for_products(term, is_mirrored, work,
                [&](const double* from, Lanes* to)
                {
                  const Lanes* value = value_.data() + term.value;

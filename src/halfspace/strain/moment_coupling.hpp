@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/symmetry.hpp"
 #include "foundation/aligned.hpp"
 #include "foundation/lanes.hpp"
 #include "image_samples.hpp"
@@ -33,9 +32,9 @@ public:
   [[nodiscard]] Work make_work() const;
 
   /// Moments are [component][depth][monomial].
-  /// @param symmetry    with one, moments of strain and stress that vanish by the symmetry are skipped
+  /// @param is_mirrored  if the fields are mirror images about y = 0, moments of strain and stress that vanish are skipped
   /// @param components  number of components of the stress that are computed, from the first one
-  void multiply(const double* strain, Symmetry symmetry, int components, Work& work, double* stress) const;
+  void multiply(const double* strain, bool is_mirrored, int components, Work& work, double* stress) const;
 
   /// Index of x^a y^b among the monomials.
   [[nodiscard]] static constexpr int monomial(int a, int b) { return (a + b) * (a + b + 1) / 2 + b; }
@@ -47,10 +46,10 @@ private:
     std::size_t value; ///< index into `value_` of the matrix [depth of strain][depth of stress, in lanes]
   };
   template <typename Add>
-  void for_products(const Term& term, Symmetry symmetry, Work& work, const Add& add) const;
+  void for_products(const Term& term, bool is_mirrored, Work& work, const Add& add) const;
   template <std::size_t depths>
-  void add_short_term(const Term& term, Symmetry symmetry, Work& work) const;
-  void add_term(const Term& term, Symmetry symmetry, Work& work) const;
+  void add_short_term(const Term& term, bool is_mirrored, Work& work) const;
+  void add_term(const Term& term, bool is_mirrored, Work& work) const;
   [[nodiscard]] int monomials() const { return static_cast<int>(share_.size()); }
   [[nodiscard]] int parts() const { return (depths_ + lane_count - 1) / lane_count; }
 

@@ -23,15 +23,15 @@ void WaveCoupling::set(int wave, int c, int e, int b, double factor, const Matri
       *to = factor * images::factorial(b) * value(i, j);
 }
 
-void WaveCoupling::multiply(int part, const ComplexLanes* strain, Symmetry symmetry, int components,
+void WaveCoupling::multiply(int part, const ComplexLanes* strain, bool is_mirrored, int components,
                             ComplexLanes* stress) const
 {
-  const int step = symmetry == Symmetry::none ? 1 : 2;
+  const int step = is_mirrored ? 2 : 1;
   const std::ptrdiff_t powers = degree_ + 1;
   for (int c = 0; c < components; ++c)
     for (int e = 0; e < strains; ++e)
       for (int b = parity(c, e); b <= degree_; b += 2)
-        for (int p = symmetry == Symmetry::none ? 0 : odd_[static_cast<std::size_t>(c)]; p <= b; p += step)
+        for (int p = is_mirrored ? odd_[static_cast<std::size_t>(c)] : 0; p <= b; p += step)
         {
           const double* value = value_.data() + place(c, e, b, part) * lane_count;
           const ComplexLanes* from = strain + (e * powers + b - p) * depths_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/symmetry.hpp"
 #include "foundation/aligned.hpp"
 #include "foundation/lanes.hpp"
 #include "image_samples.hpp"
@@ -31,9 +30,9 @@ public:
 
   /// Multiplies the moments of the waves of one part, [component][power][depth]; `stress` must be zero on entry. The moments of
   /// the strain must have been multiplied by `of_strain`, and the result must still be multiplied by `of_stress`.
-  /// @param symmetry    with one, moments that vanish by the symmetry are skipped
+  /// @param is_mirrored  if the fields are mirror images about y = 0, moments that vanish are skipped
   /// @param components  number of components of the stress that are computed, from the first one
-  void multiply(int part, const ComplexLanes* strain, Symmetry symmetry, int components, ComplexLanes* stress) const;
+  void multiply(int part, const ComplexLanes* strain, bool is_mirrored, int components, ComplexLanes* stress) const;
   [[nodiscard]] static double of_strain(int power) { return (power % 2 == 0 ? 1.0 : -1.0) / images::factorial(power); }
   [[nodiscard]] static double of_stress(int power) { return 1.0 / images::factorial(power); }
 

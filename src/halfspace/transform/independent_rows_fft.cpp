@@ -21,9 +21,9 @@ double PlaneOfWaves::wavenumber_y(int row) const
   return 2.0 * std::numbers::pi * (row <= py_ / 2 ? row : row - py_) / (py_ * grid_.dy);
 }
 
-IndependentRowsFft::IndependentRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry)
+IndependentRowsFft::IndependentRowsFft(const SurfaceGrid& grid, int px, int py)
     : full_plane_(grid, px, py), columns_(py), row_fft_(std::make_unique<const RowFft>(grid.nx, px)),
-      symmetry_(symmetry), rows_(symmetry == Symmetry::none ? py : py / 2 + 1),
+      rows_(grid.is_mirrored_y ? py / 2 + 1 : py),
       plane_(PlaneOfWaves::whole_lines(static_cast<std::size_t>(full_plane_.kx()) * static_cast<std::size_t>(rows_)))
 {
   if (grid.nx < 1 || grid.ny < 1 || px < grid.nx || py < grid.ny)
@@ -95,7 +95,7 @@ void IndependentRowsFft::complete(const Complex* rows, Complex* all) const
     const Complex phase = phase_[static_cast<std::size_t>(n)];
     const std::ptrdiff_t row_offset = n * columns, opposite_offset = (full_plane_.py() - n) * columns;
     std::copy_n(rows + row_offset, columns, all + row_offset);
-    if (symmetry_ != Symmetry::none && n > 0 && 2 * n < full_plane_.py())
+    if (is_mirrored() && n > 0 && 2 * n < full_plane_.py())
       std::transform(rows + row_offset, rows + row_offset + columns, all + opposite_offset,
                      [&](const Complex& wave) { return phase * wave; });
   }
@@ -132,7 +132,7 @@ void IndependentRowsFft::fill_column(const Pair& pair, int first, ComplexLanes* 
     if (pair.odd != nullptr)
       odd = load_columns(pair.odd->waves + n * apart, first, pair.odd->columns);
     column[n] = even + odd;
-    if (symmetry_ == Symmetry::none || n == 0 || 2 * n >= full_plane_.py())
+    if (!is_mirrored() || n == 0 || 2 * n >= full_plane_.py())
       continue;
     const Complex phase = phase_[static_cast<std::size_t>(n)];
     const ComplexLanes opposite = even - odd;
@@ -212,7 +212,7 @@ void write_parts(const SurfaceGrid& g, const IndependentRowsFft::Window& window,
 int IndependentRowsFft::rows_of(std::size_t pair, const Batch& batch) const
 {
   const int ny = full_plane_.grid().ny;
-  const bool is_whole = symmetry_ == Symmetry::none || (pair < batch.even.size() && pair < batch.odd.size());
+  const bool is_whole = !is_mirrored() || (pair < batch.even.size() && pair < batch.odd.size());
   return is_whole ? ny : (ny + 1) / 2;
 }
 
@@ -245,7 +245,7 @@ void IndependentRowsFft::invert(const Batch& batch, bool adds, Work& work) const
     double* even = n < batch.even.size() ? batch.fields[batch.even[n]].data() : nullptr;
     double* odd = n < batch.odd.size() ? batch.fields[batch.odd[n]].data() : nullptr;
     const Window& window = batch.window;
-    if (symmetry_ != Symmetry::none)
+    if (is_mirrored())
     {
       (adds ? write_parts<true> : write_parts<false>)(g, window, field, even, odd);
       continue;
@@ -264,9 +264,9 @@ void IndependentRowsFft::inverse(std::span<const Spectrum> spectra, const std::v
 {
   std::unique_ptr<Work> work = acquire_work();
   const std::size_t count = is_odd.size();
-  std::vector<std::size_t> even, odd; // without symmetry all fields are in `even`
+  std::vector<std::size_t> even, odd; // on a grid that is not mirrored all fields are in `even`
   for (std::size_t f = 0; f < count; ++f)
-    (is_odd[f] && symmetry_ != Symmetry::none ? odd : even).push_back(f);
+    (is_odd[f] && is_mirrored() ? odd : even).push_back(f);
   for (std::size_t first = 0; first < fields.size(); first += count)
     invert({spectra.subspan(first, count), std::span(fields).subspan(first, count), even, odd, window}, adds, *work);
   pool_->release(std::move(work));

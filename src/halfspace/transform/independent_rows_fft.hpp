@@ -2,7 +2,6 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
-#include "brinell/foundation/symmetry.hpp"
 #include "foundation/row_fft.hpp"
 
 #include <memory>
@@ -37,20 +36,20 @@ private:
   int px_, py_;
 };
 
-/// Transforms of surface fields that compute only the independent rows of the spectrum: without symmetry all rows; for fields
-/// that are even or odd about the middle row, those with wavenumbers >= 0 along y. At -n the spectrum is w^n (even) or -w^n (odd)
-/// times that at n, w = e^{2 pi i (ny - 1)/py}.
+/// Transforms of surface fields that compute only the independent rows of the spectrum: all rows; on a grid that is mirrored,
+/// whose fields are even or odd about the middle row, those with wavenumbers >= 0 along y. At -n the spectrum is w^n (even) or
+/// -w^n (odd) times that at n, w = e^{2 pi i (ny - 1)/py}.
 class IndependentRowsFft
 {
 public:
-  IndependentRowsFft(const SurfaceGrid& grid, int px, int py, Symmetry symmetry);
+  IndependentRowsFft(const SurfaceGrid& grid, int px, int py);
 
   [[nodiscard]] const PlaneOfWaves& full_plane() const { return full_plane_; }
   [[nodiscard]] int rows() const { return rows_; } ///< number of independent rows, the first ones of the plane
   /// Complex values from one field of independent rows to the next: whole cache lines.
   [[nodiscard]] std::size_t plane() const { return plane_; }
 
-  /// The independent rows of the spectrum of a field, which must be even if there is a symmetry.
+  /// The independent rows of the spectrum of a field, which must be even on a grid that is mirrored.
   [[nodiscard]] AlignedVector<Complex> forward(std::span<const double> field) const;
   /// The independent rows of the spectrum of a field.
   struct Spectrum
@@ -59,14 +58,14 @@ public:
     int columns;          ///< columns from this one on count as zero; their values are ignored
   };
   static constexpr std::size_t slack = lane_count;
-  /// A window of cells of the grid. With symmetry it must be centred along y.
+  /// A window of cells of the grid. On a mirrored one it must be centred along y.
   struct Window
   {
     int first_column, columns, first_row, rows;
   };
   [[nodiscard]] Window whole() const { return {0, full_plane_.grid().nx, 0, full_plane_.grid().ny}; }
   /// Fields on the grid, or in a window of it, from the independent rows of their spectra.
-  /// @param is_odd  parity of the first fields, which repeats for the following ones; ignored without symmetry
+  /// @param is_odd  parity of the first fields, which repeats for the following ones; ignored on a grid that is not mirrored
   /// @param adds    whether the result is added to `fields`; otherwise they are overwritten
   void inverse(std::span<const Spectrum> spectra, const std::vector<bool>& is_odd, bool adds,
                const std::vector<std::span<double>>& fields) const
@@ -80,7 +79,8 @@ public:
   void complete(const Complex* rows, Complex* all) const;
 
 private:
-  /// An even and an odd field that are transformed as their sum, or one of them alone. Without symmetry `even` is any field.
+  [[nodiscard]] bool is_mirrored() const { return full_plane_.grid().is_mirrored_y; }
+  /// An even and an odd field that are transformed as their sum, or one of them alone. On a grid that is not mirrored `even` is any field.
   struct Pair
   {
     const Spectrum *even, *odd; ///< nullptr if there is none
@@ -121,7 +121,6 @@ private:
   PlaneOfWaves full_plane_;
   LaneFft columns_;
   std::unique_ptr<const RowFft> row_fft_;
-  Symmetry symmetry_;
   int rows_;
   std::size_t plane_;
   std::vector<Complex> phase_; ///< w^n of the independent rows

@@ -21,8 +21,7 @@ ComplexLanes times(const Complex& f, const ComplexLanes& a)
 } // namespace
 
 MirroredFft::MirroredFft(const VolumeGrid& grid, int px, int py)
-    : grid_(grid), half_(brinell::independent_rows(grid.surface, Symmetry::in_y)), rows_(grid.surface.nx, px),
-      columns_(py)
+    : grid_(grid), half_((grid.surface.ny + 1) / 2), rows_(grid.surface.nx, px), columns_(py)
 {
   for (int n = 0; n <= py / 2; ++n) // the angle is reduced first, so that it is accurate for long series
   {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/symmetry.hpp"
+#include "brinell/foundation/deviator.hpp"
+#include "brinell/foundation/grid.hpp"
 #include "foundation/aligned.hpp"
 #include "foundation/lane_fft.hpp"
 #include "foundation/row_fft.hpp"
@@ -12,7 +13,7 @@
 namespace brinell::halfspace
 {
 
-/// Transforms of deviator fields whose two sides about the plane y = 0 are mirror images (Symmetry::in_y): half the work of
+/// Transforms of deviator fields whose two sides about the plane y = 0 are mirror images (SurfaceGrid::is_mirrored_y): half the work of
 /// BlockedFft, between half of the rows and half of the wavenumbers along y.
 ///
 /// The spectrum at -n is w^n times that at n for a field that is even in y, and -w^n times for an odd field, where

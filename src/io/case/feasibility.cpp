@@ -76,7 +76,7 @@ std::string grid_report(const simulation::Plan& plan)
     text += "# Symmetry: the bodies are mirror images of each other; one of them is solved\n";
   if (plan.twin == elastoplastic::Twin::alike)
     text += "# Symmetry: both bodies have the same plastic strain; one of them is solved\n";
-  if (plan.symmetry == Symmetry::in_y)
+  if (plan.contact.is_mirrored_y)
     text += "# Symmetry: both sides of y = 0 are mirror images of each other; one of them is solved\n";
   return text + fmt::format("# Grids: contact {} x {}, lower body {}, upper body {}\n", plan.contact.nx,
                             plan.contact.ny, volume_text(plan.lower, plan.surfaces_only),

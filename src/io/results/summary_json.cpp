@@ -63,7 +63,7 @@ Json grid_json(const RunTotals& s)
           {"contact_cells", Json::array({end.contact.nx, end.contact.ny})},
           {"lower_cells", cell_counts(end.lower.grid)},
           {"upper_cells", cell_counts(end.upper.grid)},
-          {"symmetric_in_y", s.symmetry == Symmetry::in_y},
+          {"symmetric_in_y", s.is_mirrored_y},
           {"memory_bytes", s.memory_bytes},
           {"changes", std::move(changes)}};
 }

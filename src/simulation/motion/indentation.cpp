@@ -225,7 +225,7 @@ IndentationPlan plan(const IndentationCase& indentation)
   plan.touching_gap = indentation.domain.is_periodic() ? touching_gap(indentation, plan.contact) : nan;
   require_contact(indentation, plan.touching_gap);
   plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  plan.symmetry = symmetry_of(indentation.lower, indentation.upper, indentation, plan.contact);
+  mirror_grids(is_solved_by_halves(indentation.lower, indentation.upper, indentation, plan.contact), plan);
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),
                           "`IndentationCase::steps`");

@@ -135,7 +135,8 @@ RollingPlan plan(const RollingCase& rolling)
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "`RollingCase::passes`");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  plan.symmetry = symmetry_of(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value());
+  mirror_grids(is_solved_by_halves(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value()),
+               plan);
   const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
   if (heats)
     plan.heat_times = heat_times(rolling, plan);

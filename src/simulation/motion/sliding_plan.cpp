@@ -159,7 +159,7 @@ SlidingPlan plan(const SlidingCase& sliding)
     require_meeting(sliding, plan);
   plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
                           "`SlidingCase::strokes`");
-  plan.symmetry = symmetry_of(sliding.lower, sliding.upper, sliding, plan.contact);
+  mirror_grids(is_solved_by_halves(sliding.lower, sliding.upper, sliding, plan.contact), plan);
   const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
   if (heats)
     plan.heat_times = heat_times(sliding, plan);

@@ -292,7 +292,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   const double cells = relative_cells(tugging, dx);
   plan.twin =
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  plan.symmetry = symmetry_of(tugging.lower, tugging.upper, tugging, plan.contact, tugging.offset != 0.0);
+  mirror_grids(is_solved_by_halves(tugging.lower, tugging.upper, tugging, plan.contact, tugging.offset != 0.0), plan);
   // Lower limit: smaller changes of displacement would be lost in the tolerance of the contact.
   const double smallest = 1e-2 * pair.closest.interference;
   plan.scales = {std::max(pair.frictionless_yield, smallest), pair.closest.interference};

@@ -88,7 +88,7 @@ double share_near_yield(const VolumeGrid& grid, const Plan& plan)
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
                    const elastoplastic::Settings& solver, const Plan& plan)
 {
-  const double computed = plan.symmetry == Symmetry::none ? 1.0 : 0.5;
+  const double computed = plan.contact.is_mirrored_y ? 0.5 : 1.0;
   const double active_share = solver.shortcuts ? share_near_yield(grid, plan) : computed;
   // Deep indents keep a longer history (docs/theory/elastoplastic.md, deep). Of them the scale is limited from below.
   constexpr double limit = 0.0101;
@@ -148,7 +148,7 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
   const double deepest = is_rigid ? -1.0 : (2.0 * layers - 0.5) * volume.dz;
   const double kept = halfspace::memory_of_heat(
       grid.surface, *material.thermal, plan.heat_times,
-      {deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, plan.symmetry,
+      {deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine,
        of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}},
       material.is_plastic());
   const PaddedLengths padded = padded_lengths(grid.surface);

@@ -11,9 +11,15 @@ namespace brinell::simulation
 [[nodiscard]] bool is_symmetric_in_y(const Shape& shape);
 [[nodiscard]] bool is_symmetric_in_y(const Texture& texture);
 
-/// Symmetry of the fields of two bodies about y = 0, in scenarios that move them along x.
-/// @param one_sided  the scenario excludes symmetry: bodies pass beside each other, or may stick, which is not solved by halves
-[[nodiscard]] Symmetry symmetry_of(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
-                                   const SurfaceGrid& contact, bool one_sided = false);
+/// Whether both sides of the plane y = 0 are mirror images and half of each body is solved, in scenarios that move them along x.
+/// @param one_sided  the scenario excludes it: bodies pass beside each other, or may stick, which is not solved by halves
+[[nodiscard]] bool is_solved_by_halves(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
+                                       const SurfaceGrid& contact, bool one_sided = false);
+
+/// Mirrors the grids of a plan, or not.
+inline void mirror_grids(bool is_mirrored, Plan& plan)
+{
+  plan.contact.is_mirrored_y = plan.lower.surface.is_mirrored_y = plan.upper.surface.is_mirrored_y = is_mirrored;
+}
 
 } // namespace brinell::simulation

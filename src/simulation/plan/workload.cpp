@@ -254,7 +254,7 @@ std::vector<Amount> amounts_of(const Situation& s, const Storage& storage)
   constexpr double unit = 1e-9;
   constexpr double share_of_half = 0.6; // time for one side of y = 0 over that for both
   const Sizes sizes = sizes_of(s);
-  const double part = s.plan.symmetry == Symmetry::none ? 1.0 : share_of_half, steps = s.course.steps();
+  const double part = s.plan.contact.is_mirrored_y ? share_of_half : 1.0, steps = s.course.steps();
   const double line = s.is_line ? 1.0 : 0.0, shears = s.friction > 0.0 ? 1.0 : 0.0;
   const double contact = unit * transform(s.plan.contact);
   const bool is_steady = s.numerics.heat.regime == elastoplastic::HeatRegime::steady;

@@ -129,7 +129,7 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
       elastoplastic::Textures{
           textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin(), setup_.beside.lower),
           textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin(), setup_.beside.upper)},
-      plan_.reference, setup_.sliding, plan_.symmetry);
+      plan_.reference, setup_.sliding);
 }
 
 void Stepper::exchange(Archive& archive)

@@ -148,7 +148,7 @@ StepFields Stepper::fields(const Centre& centre) const
   const Frame frame = lattice_.frame(centre);
   StepFields fields;
   Snapshot& s = fields.surfaces;
-  s.contact = pair_->grid();
+  s.contact = pair_->grid().whole();
   s.x0 = frame.x0;
   s.y0 = s.contact.y(0);
   s.pressure.assign(pair_->pressure().begin(), pair_->pressure().end());
@@ -187,7 +187,7 @@ void Stepper::fill(RunTotals& totals) const
     totals.share_of_held_cells = heating->share_of_held_cells();
   }
   totals.grid_changes = grid_changes_;
-  totals.symmetry = plan_.symmetry;
+  totals.is_mirrored_y = plan_.contact.is_mirrored_y;
   totals.memory_bytes = plan_.memory_bytes;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mirrored_grid.hpp"
 #include "sphere_press.hpp"
 
 #include <algorithm>
@@ -101,11 +102,11 @@ TEST(WatchedCells, OfATwinAreThoseOfItsMirrorImage)
   options.spare_columns = 6;
   const SpherePress sample(options);
   const SurfaceGrid grid{SpherePress::n, SpherePress::n, 4.6e-3, 4.6e-3};
-  for (const Symmetry symmetry : {Symmetry::none, Symmetry::in_y})
+  for (const bool is_mirrored : {false, true})
   {
-    CoupledContact contact(grid, sample.volume(), sample.volume(), sample.material(), sample.material(),
-                           {SpherePress::alpha_c, 6.0 * SpherePress::alpha_c}, {}, Twin::mirror_image, {}, 0.0, {},
-                           symmetry);
+    const VolumeGrid body = test::mirrored(sample.volume(), is_mirrored);
+    CoupledContact contact(test::mirrored(grid, is_mirrored), body, body, sample.material(), sample.material(),
+                           {SpherePress::alpha_c, 6.0 * SpherePress::alpha_c}, {}, Twin::mirror_image);
     for (const auto& [interference, column] : {std::pair{3.0, 0}, {6.0, 0}, {6.0, 1}})
     {
       const Placement placement{{3 + column}, {3 - column}};

@@ -3,6 +3,7 @@
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "grid_fields.hpp"
+#include "mirrored_grid.hpp"
 #include "periodic_grids.hpp"
 #include "random_field.hpp"
 #include "volume_fields.hpp"
@@ -57,7 +58,7 @@ Field without_other_rows(const VolumeGrid& grid, Field field, double value)
 {
   const SurfaceGrid& s = grid.surface;
   for (std::size_t cell = 0; cell < field.size(); ++cell)
-    if (static_cast<int>(cell / static_cast<std::size_t>(s.nx)) % s.ny >= independent_rows(s, Symmetry::in_y))
+    if (static_cast<int>(cell / static_cast<std::size_t>(s.nx)) % s.ny >= test::mirrored(s).independent_rows())
       field[cell] = value;
   return field;
 }
@@ -68,7 +69,7 @@ struct Answer
   Field trace{}; ///< in all prepared layers
 };
 
-Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoad& load, int layers, Symmetry symmetry)
+Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoad& load, int layers)
 {
   const VolumeGrid& grid = half_space.grid();
   HalfSpace::Work work = half_space.make_work();
@@ -76,14 +77,14 @@ Answer answer(const HalfSpace& half_space, const Field& strain, const SurfaceLoa
   Answer result{Field(Deviator::size * grid.size()), Field(cells), Field(cells), Field(cells)};
   for (int turn = 0; turn < 2; ++turn) // the second time the buffers are not new
   {
-    const HalfSpace::Loaded loaded = half_space.load(strain, layers, work, Displacements::all, symmetry, true);
+    const HalfSpace::Loaded loaded = half_space.load(strain, layers, work, Displacements::all, true);
     loaded.displacement({.z = result.z, .x = result.x, .y = result.y});
     loaded.stress(load, result.stress);
     result.trace.resize(grid.size());
     for (int layer = 0; layer < layers; ++layer)
       loaded.trace(load, layer, std::span(result.trace).subspan(grid.index(0, 0, layer), cells));
   }
-  if (symmetry != Symmetry::none)
+  if (grid.surface.is_mirrored_y)
   {
     result.stress = without_other_rows(grid, result.stress, 0.0);
     complete_in_y(grid, result.stress);
@@ -111,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(MirroredHalfSpaceTest, AnswersAsWithoutSymmetry)
 {
   const VolumeGrid& grid = GetParam();
-  const HalfSpace half_space(grid, elastic);
+  const HalfSpace half_space(grid, elastic), one_side(test::mirrored(grid), elastic);
   const VolumeGrid surface{grid.surface, 1, grid.dz};
   const Field pressure = mirrored_field(surface, 1, false);
   const Field shear_x = mirrored_field(surface, 2, false);
@@ -121,10 +122,10 @@ TEST_P(MirroredHalfSpaceTest, AnswersAsWithoutSymmetry)
     for (const int layers : {grid.nz, (grid.nz + 1) / 2})
     {
       const Field strain = mirrored_strain(grid, strained);
-      const Answer full = answer(half_space, strain, load, layers, Symmetry::none);
+      const Answer full = answer(half_space, strain, load, layers);
       // What is not to be read is no number.
       const Field half_strain = without_other_rows(grid, strain, std::numeric_limits<double>::quiet_NaN());
-      const Answer half = answer(half_space, half_strain, load, layers, Symmetry::in_y);
+      const Answer half = answer(one_side, half_strain, load, layers);
       // Rounding of transforms of this length, over numbers of order one, and no more.
       constexpr double rounding = 1e-13;
       EXPECT_LE(largest_difference(full.stress, half.stress), rounding * largest(full.stress));
@@ -145,7 +146,7 @@ TEST_P(MirroredHalfSpaceTest, OneLayerIsThatOfTheWholeStress)
   const Field strain = test::random_field(Deviator::size * grid.size(), 6);
   const SurfaceLoad load{.pressure = pressure, .shear_x = shear};
   const test::StressField whole = test::StressField::of(half_space, load, strain);
-  EXPECT_EQ(answer(half_space, strain, load, grid.nz, Symmetry::none).trace, whole.trace);
+  EXPECT_EQ(answer(half_space, strain, load, grid.nz).trace, whole.trace);
   const test::StressField of_load = test::StressField::of(half_space, load);
   HalfSpace::Work work = half_space.make_guest();
   Field layer((Deviator::size + 1) * cells);
@@ -170,7 +171,7 @@ TEST(HalfSpaceOneLayer, IsRefusedWhereItWasNotAskedFor)
   const HalfSpace::Loaded without = half_space.load(strain, 3, work);
   without.stress({}, stress);
   EXPECT_THROW(without.trace({}, 0, trace), InternalError);
-  const HalfSpace::Loaded loaded = half_space.load(strain, 2, work, Displacements::normal, Symmetry::none, true);
+  const HalfSpace::Loaded loaded = half_space.load(strain, 2, work, Displacements::normal, true);
   loaded.stress({}, stress);
   loaded.trace({}, 1, trace);
   EXPECT_THROW(loaded.trace({}, 2, trace), InternalError);
@@ -181,8 +182,8 @@ TEST(MirroredHalfSpace, AsymmetricStrainIsNotTakenForItsHalf)
   const VolumeGrid grid{{9, 6, 0.7, 0.9}, 3, 0.4};
   const HalfSpace half_space(grid, elastic);
   const Field strain = test::random_field(Deviator::size * grid.size(), 5);
-  const Answer full = answer(half_space, strain, {}, grid.nz, Symmetry::none);
-  const Answer half = answer(half_space, strain, {}, grid.nz, Symmetry::in_y);
+  const Answer full = answer(half_space, strain, {}, grid.nz);
+  const Answer half = answer(HalfSpace(test::mirrored(grid), elastic), strain, {}, grid.nz);
   EXPECT_GT(largest_difference(full.stress, half.stress), 0.1 * largest(full.stress));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/halfspace/half_space.hpp"
+#include "mirrored_grid.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
@@ -96,18 +97,19 @@ TEST(PartOfHalfSpace, MakesNearlyTheSameOfStrainThatCellsDoNotResolve)
 
 TEST(PartOfHalfSpace, AGuestComputesTheSameWithTheBuffersOfItsHost)
 {
-  const HalfSpace host(whole, elastic), guest(part, elastic, whole.surface);
-  HalfSpace::Work hosts = host.make_work(), own = guest.make_work(), lent = guest.make_guest();
   const std::vector<double> noise = test::random_field(Deviator::size * whole.size(), 5);
   const std::vector<double> strain = test::random_field(Deviator::size * part.size(), 6);
   std::vector<double> expected(strain.size()), found(strain.size()), of_noise(noise.size());
-  for (const Symmetry symmetry : {Symmetry::none, Symmetry::in_y})
+  for (const bool is_mirrored : {false, true})
   {
-    const auto before = host.load(noise, whole.nz, hosts, Displacements::normal, symmetry);
+    const HalfSpace host(test::mirrored(whole, is_mirrored), elastic),
+        guest(test::mirrored(part, is_mirrored), elastic, whole.surface);
+    HalfSpace::Work hosts = host.make_work(), own = guest.make_work(), lent = guest.make_guest();
+    const auto before = host.load(noise, whole.nz, hosts);
     before.stress({}, of_noise);
-    guest.load(strain, part.nz, own, Displacements::normal, symmetry).stress({}, expected);
+    guest.load(strain, part.nz, own).stress({}, expected);
     HalfSpace::exchange_buffers(lent, hosts);
-    guest.load(strain, part.nz, lent, Displacements::normal, symmetry).stress({}, found);
+    guest.load(strain, part.nz, lent).stress({}, found);
     HalfSpace::exchange_buffers(lent, hosts);
     EXPECT_EQ(found, expected);
     EXPECT_THROW(before.stress({}, of_noise), std::exception) << "the strain of the host is lost";

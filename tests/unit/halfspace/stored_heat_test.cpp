@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/thermal_field.hpp"
 #include "grid_fields.hpp"
 #include "heated_body.hpp"
+#include "mirrored_grid.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +22,6 @@ using test::Field;
 struct Kept
 {
   SurfaceGrid grid;
-  Symmetry symmetry;
   HeatedLayers heated;
 };
 
@@ -32,13 +33,13 @@ protected:
   [[nodiscard]] static ThermalField make()
   {
     return {GetParam().grid,         test::heated_body,  test::heated_elastic, {0.1, 8.0},
-            {0.05, 0.15, 0.25, 0.6}, HeatImages::coarse, GetParam().symmetry,  GetParam().heated};
+            {0.05, 0.15, 0.25, 0.6}, HeatImages::coarse, GetParam().heated};
   }
 
   [[nodiscard]] static Field flux(unsigned seed)
   {
     Field result = test::random_field(GetParam().grid.size(), seed);
-    if (GetParam().symmetry != Symmetry::none)
+    if (GetParam().grid.is_mirrored_y)
       complete_in_y(GetParam().grid, 1.0, result.data(), result.size());
     return result;
   }
@@ -147,12 +148,12 @@ TEST_P(StoredHeat, IsTheSameAfterAStepThatFailed)
 constexpr auto open = Boundary::open;
 constexpr auto periodic = Boundary::periodic;
 INSTANTIATE_TEST_SUITE_P(All, StoredHeat,
-                         testing::Values(Kept{{40, 9, 0.1, 0.1, open, open}, Symmetry::none, {}},
-                                         Kept{{40, 9, 0.1, 0.1, open, open}, Symmetry::in_y, {2, 0.1}},
-                                         Kept{{13, 7, 0.1, 0.1, open, open}, Symmetry::in_y, {}},
-                                         Kept{{13, 7, 0.1, 0.1, open, open}, Symmetry::none, {3, 0.1}},
-                                         Kept{{12, 9, 0.1, 0.1, open, periodic}, Symmetry::in_y, {2, 0.1}},
-                                         Kept{{8, 6, 0.1, 0.1, periodic, periodic}, Symmetry::none, {2, 0.1}}));
+                         testing::Values(Kept{{40, 9, 0.1, 0.1, open, open}, {}},
+                                         Kept{test::mirrored(SurfaceGrid{40, 9, 0.1, 0.1, open, open}), {2, 0.1}},
+                                         Kept{test::mirrored(SurfaceGrid{13, 7, 0.1, 0.1, open, open}), {}},
+                                         Kept{{13, 7, 0.1, 0.1, open, open}, {3, 0.1}},
+                                         Kept{test::mirrored(SurfaceGrid{12, 9, 0.1, 0.1, open, periodic}), {2, 0.1}},
+                                         Kept{{8, 6, 0.1, 0.1, periodic, periodic}, {2, 0.1}}));
 
 } // namespace
 } // namespace brinell::halfspace::stored_heat_test

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/thermal_field.hpp"
 #include "brinell/halfspace/thermal_response.hpp"
 
 #include "grid_fields.hpp"
 #include "heated_body.hpp"
+#include "mirrored_grid.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
@@ -297,17 +299,17 @@ TEST(ThermalField, OneSideTellsAll)
     for (Field* field : {&flux, &more})
       complete_in_y(g, 1.0, field->data(), field->size());
     const HeatMotion motion{0.3 / kappa, 0.2 * kappa};
-    const auto heated = [&](Symmetry symmetry)
+    const auto heated = [&](bool is_mirrored)
     {
-      ThermalField field(g, body, elastic, {motion.duration, 4.0 * motion.duration}, {0.05, 0.3, 0.0},
-                         HeatImages::coarse, symmetry);
+      ThermalField field(test::mirrored(g, is_mirrored), body, elastic, {motion.duration, 4.0 * motion.duration},
+                         {0.05, 0.3, 0.0}, HeatImages::coarse);
       field.add_step(flux, motion);
       field.add_step(flux, motion);
       field.add_to_last_step(more, motion);
       return field;
     };
-    ThermalField one_side = heated(Symmetry::in_y);
-    const ThermalField both = heated(Symmetry::none);
+    ThermalField one_side = heated(true);
+    const ThermalField both = heated(false);
     EXPECT_THROW(one_side.add_step(flux, {motion.duration, 0.0, 1.0}), InputError);
     // Rounding, of fields some of which are much smaller than what they are summed from.
     constexpr double rounding = 1e-12;

@@ -5,6 +5,7 @@
 #include "gauss.hpp"
 #include "grid_fields.hpp"
 #include "heated_body.hpp"
+#include "mirrored_grid.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
@@ -199,7 +200,7 @@ TEST(ThermalField, ManyLayersAtOnceAreThoseOneByOne)
   const Field flux = test::random_field(cells, 5);
   for (const HeatedLayers& heated : {HeatedLayers{}, HeatedLayers{6, 0.1}})
   {
-    ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::fine, Symmetry::none, heated);
+    ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::fine, heated);
     if (heated.count > 0)
       field.add_heat_in_body(test::random_field(6 * cells, 8), 0.1);
     field.add_step(flux, {0.1, 2.0});
@@ -243,9 +244,9 @@ TEST(ThermalField, InABodyIsWhatItsLayersHave)
   for (int j = 0; 2 * j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
       flux[g.index(i, g.ny - 1 - j)] = flux[g.index(i, j)];
-  for (const Symmetry symmetry : {Symmetry::none, Symmetry::in_y})
+  for (const bool is_mirrored : {false, true})
   {
-    ThermalField field(g, body, elastic, {0.1, 10.0}, depths, HeatImages::coarse, symmetry);
+    ThermalField field(test::mirrored(g, is_mirrored), body, elastic, {0.1, 10.0}, depths, HeatImages::coarse);
     field.add_step(flux, {0.1, 2.0});
     EXPECT_FALSE(field.holds({17, 7, 0.2, 0.25}));
     EXPECT_FALSE(field.holds({8, 7, 0.2, 0.25}));

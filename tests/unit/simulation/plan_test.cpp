@@ -57,7 +57,7 @@ TEST(PlanTest, WhatAProgramMustNotGiveIsRefused)
 TEST(PlanTest, GridOfThePaper)
 {
   const TuggingPlan p = plan(paper());
-  EXPECT_EQ(p.contact, (SurfaceGrid{33, 13, 3.85e-3, 7.7e-3})); // the paper's points in x and y
+  EXPECT_EQ(p.contact.whole(), (SurfaceGrid{33, 13, 3.85e-3, 7.7e-3})); // the paper's points in x and y
   EXPECT_EQ(p.lower.nz, 31);
   EXPECT_EQ(p.lower.dz, 1.925e-3);
   EXPECT_EQ(p.lower, p.upper);
