@@ -32,8 +32,7 @@ ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const green::PairConstan
 
 ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& larger,
                                const green::PairConstants& constants, double reference)
-    : fft_(grid, larger.nx, larger.ny, 1), rows_(fft_.py() / 2 + 1),
-      stiffness_(static_cast<std::size_t>(fft_.blocks()) * static_cast<std::size_t>(rows_))
+    : product_(grid, {larger.nx, larger.ny}), stiffness_(product_.fft())
 {
   const std::vector<ShearWave> compliance = waves(larger, constants, reference);
   // Uniform shears, which cause no displacement, are assigned a stiffness: see `inverse` in surface_compliance.cpp.
@@ -42,16 +41,15 @@ ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& large
   double sum = 0.0;
   double count = 0.0;
   const ShearWave* wave = compliance.data();
-  for (int row = 0; row < rows_; ++row)
-    for (int i = 0; i < fft_.kx(); ++i, ++wave)
+  for (int row = 0; row < stiffness_.rows(); ++row)
+    for (int i = 0; i < product_.fft().kx(); ++i, ++wave)
     {
       const ShearWave given = wave->smallest() > 0.0 ? *wave : ShearWave{uniform, uniform, 0.0};
       const ShearWave inverse = given.inverse();
-      const auto line =
-          static_cast<std::size_t>(i / lane_count) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
-      stiffness_[line][0][i % lane_count] = inverse.xx;
-      stiffness_[line][1][i % lane_count] = inverse.yy;
-      stiffness_[line][2][i % lane_count] = inverse.xy;
+      std::array<Lanes, 3>& entry = stiffness_.of_column(row, i);
+      entry[0][i % lane_count] = inverse.xx;
+      entry[1][i % lane_count] = inverse.yy;
+      entry[2][i % lane_count] = inverse.xy;
       sum += 0.5 * (inverse.xx + inverse.yy);
       count += 1.0;
     }
@@ -63,15 +61,14 @@ void ShearStiffness::apply(const std::array<std::span<const double>, 2>& displac
 {
   const auto product = [&](int block, int row, const Product::Values& u)
   {
-    const auto& [xx, yy, xy] = stiffness_[static_cast<std::size_t>(block) * static_cast<std::size_t>(rows_) +
-                                          static_cast<std::size_t>(fft_.folded(row))];
+    const auto& [xx, yy, xy] = stiffness_.at(block, row);
     const Lanes determinant = xx * yy - xy * xy;
     const Lanes share = 1.0 / (1.0 + added * (xx + yy + added * determinant));
-    const Lanes across = row > fft_.py() / 2 ? -share * xy : share * xy; // odd along both axes
+    const Lanes across = row > product_.fft().py() / 2 ? -share * xy : share * xy; // odd along both axes
     return Product::Values{share * (xx + added * determinant) * u[0] + across * u[1],
                            across * u[0] + share * (yy + added * determinant) * u[1]};
   };
-  Product::apply(fft_, displacement, shear, scratch, product);
+  product_.apply(displacement, shear, scratch, product);
 }
 
 } // namespace brinell::halfspace

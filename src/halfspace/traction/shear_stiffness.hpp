@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/green/surface_terms.hpp"
-#include "halfspace/transform/coupled_product.hpp"
+#include "halfspace/transform/wave_product.hpp"
 
 namespace brinell::halfspace
 {
@@ -14,10 +14,10 @@ class ShearStiffness
 public:
   ShearStiffness(const SurfaceGrid& grid, const green::PairConstants& constants, double reference);
 
-  using Product = CoupledProduct<2>;
+  using Product = WaveProduct<2>;
   using Scratch = Product::Scratch;
-  [[nodiscard]] Scratch make_scratch() const { return Product::make_scratch(fft_); }
-  [[nodiscard]] bool fits(const Scratch& scratch) const { return Product::fits(fft_, scratch); }
+  [[nodiscard]] Scratch make_scratch() const { return product_.make_scratch(); }
+  [[nodiscard]] bool fits(const Scratch& scratch) const { return product_.fits(scratch); }
 
   /// Input and output are fields along x and y and may be the same.
   /// @param added  additional compliance of each cell [m/Pa]
@@ -30,9 +30,8 @@ private:
   ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& larger, const green::PairConstants& constants,
                  double reference);
 
-  BlockedFft fft_;
-  int rows_;                                      ///< stored rows, ky >= 0
-  AlignedVector<std::array<Lanes, 3>> stiffness_; ///< xx, yy, xy of each wave: [block][row]
+  Product product_;
+  WaveTable<std::array<Lanes, 3>> stiffness_; ///< xx, yy, xy of each wave
   double of_one_cell_ = 0.0;
 };
 

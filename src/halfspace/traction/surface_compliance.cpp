@@ -68,15 +68,44 @@ Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modul
 
 struct SurfaceCompliance::Buffers
 {
-  WaveProduct::Scratch compliance, stiffness;
+  WaveProduct<1>::Scratch compliance, stiffness;
 };
+
+namespace
+{
+
+/// A product with a real and even spectrum.
+struct EvenProduct
+{
+  WaveProduct<1> waves;
+  WaveTable<Lanes> factors;
+
+  /// @param spectrum  row by row
+  EvenProduct(const SurfaceGrid& grid, const PaddedLengths& lengths, const std::vector<double>& spectrum)
+      : waves(grid, lengths), factors(waves.fft())
+  {
+    const double* factor = spectrum.data();
+    for (int row = 0; row < factors.rows(); ++row)
+      for (int i = 0; i < waves.fft().kx(); ++i, ++factor)
+        factors.of_column(row, i)[i % lane_count] = *factor;
+  }
+
+  void apply(std::span<const double> in, std::span<double> out, WaveProduct<1>::Scratch& scratch) const
+  {
+    waves.apply({in}, {out}, scratch,
+                [this](int block, int row, const WaveProduct<1>::Values& values) -> WaveProduct<1>::Values
+                { return {factors.at(block, row) * values[0]}; });
+  }
+};
+
+} // namespace
 
 struct SurfaceCompliance::Operator
 {
   SurfaceGrid larger;     ///< on which the stiffness is periodic
   double contact_modulus; ///< E' [Pa]
   double reference;       ///< [m]
-  WaveProduct compliance, stiffness;
+  EvenProduct compliance, stiffness;
   double largest; ///< [m/Pa]
 
   Operator(const SurfaceGrid& grid, double modulus, double reference_distance)
@@ -107,7 +136,7 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_mod
 
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
-  return operator_->compliance.grid();
+  return operator_->compliance.waves.fft().grid();
 }
 
 SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
@@ -122,7 +151,7 @@ double SurfaceCompliance::largest() const
 
 SurfaceCompliance::Scratch SurfaceCompliance::make_scratch() const
 {
-  return make_hidden<Buffers>(operator_->compliance.make_scratch(), operator_->stiffness.make_scratch());
+  return make_hidden<Buffers>(operator_->compliance.waves.make_scratch(), operator_->stiffness.waves.make_scratch());
 }
 
 void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const
@@ -132,7 +161,7 @@ void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement
   if (!load.shear_x.empty() || !load.shear_y.empty() || !displacement.x.empty() || !displacement.y.empty())
     throw InternalError(
         "SurfaceCompliance::apply: shears and displacements along the surface are those of TractionCompliance");
-  if (!operator_->compliance.fits(scratch->compliance))
+  if (!operator_->compliance.waves.fits(scratch->compliance))
     throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
   if (load.pressure.empty())
     return std::fill(displacement.z.begin(), displacement.z.end(), 0.0);
@@ -144,7 +173,7 @@ void SurfaceCompliance::apply_inverse(std::span<const double> displacement, std:
 {
   require_size("SurfaceCompliance::apply_inverse: the displacement", displacement, grid().size());
   require_size("SurfaceCompliance::apply_inverse: the pressure", pressure, grid().size());
-  if (!operator_->stiffness.fits(scratch->stiffness))
+  if (!operator_->stiffness.waves.fits(scratch->stiffness))
     throw InternalError("SurfaceCompliance::apply_inverse: the scratch is of another operator; make_scratch makes one");
   operator_->stiffness.apply(displacement, pressure, scratch->stiffness);
 }

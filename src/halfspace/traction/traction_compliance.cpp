@@ -3,10 +3,9 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/green/surface_terms.hpp"
-#include "foundation/blocked_fft.hpp"
-#include "halfspace/transform/coupled_product.hpp"
 #include "halfspace/transform/parity_spectrum.hpp"
 #include "halfspace/transform/require_surface.hpp"
+#include "halfspace/transform/wave_product.hpp"
 #include "shear_stiffness.hpp"
 #include "shear_waves.hpp"
 
@@ -32,7 +31,7 @@ constexpr std::array<Parity, term_count> parities{
     {{false, false}, {false, false}, {true, true}, {true, false}, {false, true}}};
 
 /// The displacement along z, x and y of a pressure and the shears along x and y.
-using Product = CoupledProduct<3>;
+using Product = WaveProduct<3>;
 using Triple = Product::Values;
 /// Spectra of the terms for `lane_count` wavenumbers: real or imaginary parts, according to their parities.
 using Terms = std::array<Lanes, term_count>;
@@ -43,38 +42,30 @@ struct TractionCompliance::Operator
 {
   green::PairConstants constants;
   double reference;
-  BlockedFft fft;
-  int rows;                   ///< stored rows, ky >= 0
-  AlignedVector<Terms> terms; ///< [block][row]
+  Product product;
+  WaveTable<Terms> terms;
   ShearStiffness stiffness;
   double largest_of_shear = 0.0; ///< [m/Pa]
 
   Operator(const SurfaceGrid& grid, const green::PairConstants& pair, double at)
-      : constants(pair), reference(at), fft(grid, padded_lengths(grid).x, padded_lengths(grid).y, 1),
-        rows(fft.py() / 2 + 1), terms(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(rows)),
+      : constants(pair), reference(at), product(grid, padded_lengths(grid)), terms(product.fft()),
         stiffness(grid, pair, reference)
   {
-    const PaddedFft padded(grid, fft.px(), fft.py());
+    const PaddedFft padded(grid);
     if (grid.is_periodic())
       tabulate_waves(padded);
     else
       tabulate_cells(padded);
-    for (int row = 0; row < rows; ++row)
-      for (int i = 0; i < fft.kx(); ++i)
+    for (int row = 0; row < terms.rows(); ++row)
+      for (int i = 0; i < padded.kx(); ++i)
         largest_of_shear = std::max(largest_of_shear, shear_wave(row, i).largest());
   }
 
   [[nodiscard]] ShearWave shear_wave(int row, int column)
   {
-    const Terms& term = terms_at(row, column);
+    const Terms& term = terms.of_column(row, column);
     const auto lane = static_cast<std::size_t>(column % lane_count);
     return ShearWave::of_terms(term[xx][lane], term[yy][lane], term[xy][lane], constants);
-  }
-
-  [[nodiscard]] Terms& terms_at(int row, int column)
-  {
-    return terms[static_cast<std::size_t>(column / lane_count) * static_cast<std::size_t>(rows) +
-                 static_cast<std::size_t>(row)];
   }
 
   void tabulate_cells(const PaddedFft& padded)
@@ -83,12 +74,12 @@ struct TractionCompliance::Operator
     for (std::size_t t = 0; t < term_count; ++t)
       parity_spectrum(
           padded, parities[t], [&](int i, int j) { return response.at(i, j)[t]; },
-          [&](int row, int column, double number) { terms_at(row, column)[t][column % lane_count] = number; });
+          [&](int row, int column, double number) { terms.of_column(row, column)[t][column % lane_count] = number; });
   }
 
   void tabulate_waves(const PaddedFft& padded)
   {
-    for (int row = 0; row < rows; ++row)
+    for (int row = 0; row < terms.rows(); ++row)
       for (int i = row == 0 ? 1 : 0; i < padded.kx(); ++i) // uniform tractions cause no displacement
       {
         const green::SurfaceTerms value = green::surface_wave_terms(padded.wavenumber_x(i), padded.wavenumber_y(row));
@@ -97,18 +88,17 @@ struct TractionCompliance::Operator
           // At the Nyquist wave an odd function cannot be represented on the grid.
           const bool is_resolved =
               !(parities[t].odd_x && 2 * i == padded.px()) && !(parities[t].odd_y && 2 * row == padded.py());
-          terms_at(row, i)[t][i % lane_count] = is_resolved ? value[t] : 0.0;
+          terms.of_column(row, i)[t][i % lane_count] = is_resolved ? value[t] : 0.0;
         }
       }
   }
 
   [[nodiscard]] Triple displaced(int block, int row, const Triple& load) const
   {
-    const Terms& term = terms[static_cast<std::size_t>(block) * static_cast<std::size_t>(rows) +
-                              static_cast<std::size_t>(fft.folded(row))];
+    const Terms& term = terms.at(block, row);
     const auto& [pressure, shear_x, shear_y] = load;
     const auto times = [&](std::size_t t, double factor, const ComplexLanes& value)
-    { return (factor * term[t]) * parities[t].phased(row, fft.py(), value); };
+    { return (factor * term[t]) * parities[t].phased(row, product.fft().py(), value); };
     const Lanes inverse_distance = constants.normal * (term[xx] + term[yy]);
     const double along = constants.along, coupling = constants.coupling;
     return {inverse_distance * pressure + times(x, coupling, shear_x) + times(y, coupling, shear_y),
@@ -140,12 +130,12 @@ TractionCompliance TractionCompliance::on(const SurfaceGrid& grid) const
 
 const SurfaceGrid& TractionCompliance::grid() const
 {
-  return operator_->fft.grid();
+  return operator_->product.fft().grid();
 }
 
 TractionCompliance::Scratch TractionCompliance::make_scratch() const
 {
-  return make_hidden<Buffers>(Product::make_scratch(operator_->fft), operator_->stiffness.make_scratch());
+  return make_hidden<Buffers>(operator_->product.make_scratch(), operator_->stiffness.make_scratch());
 }
 
 bool TractionCompliance::couples() const
@@ -172,12 +162,12 @@ void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacemen
 {
   require_load("TractionCompliance::apply", load, grid().size());
   require_displacement("TractionCompliance::apply", displacement, grid().size());
-  if (!Product::fits(operator_->fft, scratch->tractions))
+  if (!operator_->product.fits(scratch->tractions))
     throw InternalError("TractionCompliance::apply: the scratch is of another operator; make_scratch makes one");
   const auto product = [&](int block, int row, const Triple& tractions)
   { return operator_->displaced(block, row, tractions); };
-  Product::apply(operator_->fft, {load.pressure, load.shear_x, load.shear_y},
-                 {displacement.z, displacement.x, displacement.y}, scratch->tractions, product);
+  operator_->product.apply({load.pressure, load.shear_x, load.shear_y},
+                           {displacement.z, displacement.x, displacement.y}, scratch->tractions, product);
 }
 
 void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const
