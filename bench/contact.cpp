@@ -36,8 +36,11 @@ std::vector<double> rigid_gap(const SurfaceGrid& g, double factor)
 
 void contact_solution(benchmark::State& state)
 {
-  const SurfaceGrid grid{static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), 3.85e-3,
-                         3.85e-3 * static_cast<double>(state.range(0)) / static_cast<double>(state.range(1))};
+  const SurfaceGrid grid{.nx = static_cast<int>(state.range(0)),
+                         .ny = static_cast<int>(state.range(1)),
+                         .dx = 3.85e-3,
+                         .dy = 3.85e-3 * static_cast<double>(state.range(0)) / static_cast<double>(state.range(1)),
+                         .is_mirrored_y = state.range(3) != 0};
   const bool warm = state.range(2) != 0;
   const halfspace::SurfaceCompliance compliance(grid, modulus);
   contact::ElasticContact solver(compliance);
@@ -62,14 +65,17 @@ void contact_solution(benchmark::State& state)
   state.counters["products"] = static_cast<double>(products) / static_cast<double>(state.iterations());
 }
 BENCHMARK(contact_solution)
-    ->ArgNames({"nx", "ny", "warm"})
-    ->Args({33, 13, 0})
-    ->Args({33, 13, 1})
-    ->Args({129, 129, 0})
-    ->Args({129, 129, 1})
-    ->Args({257, 257, 0})
-    ->Args({257, 257, 1})
-    ->Args({513, 513, 0})
+    ->ArgNames({"nx", "ny", "warm", "mirrored"})
+    ->Args({33, 13, 0, 0})
+    ->Args({33, 13, 1, 0})
+    ->Args({129, 129, 0, 0})
+    ->Args({129, 129, 1, 0})
+    ->Args({257, 257, 0, 0})
+    ->Args({257, 257, 1, 0})
+    ->Args({513, 513, 0, 0})
+    ->Args({33, 13, 1, 1})
+    ->Args({129, 129, 1, 1})
+    ->Args({257, 257, 1, 1})
     ->Unit(benchmark::kMicrosecond);
 
 /// Distance from a self-affine surface: Hurst exponent 0.8, wavelengths from a half of the grid to `shortest` cells, root mean

@@ -2,6 +2,7 @@
 #include "brinell/contact/elastic_contact.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "cell_sums.hpp"
 #include "coarser_contact.hpp"
 #include "foundation/require_size.hpp"
@@ -94,14 +95,14 @@ void ElasticContact::start(std::span<const double> distance, const Drive& drive,
         pressure[i] = std::max(0.0, drive.value - distance[i]) * stiffness;
   }
   if (load_given)
-    scale_to_load(drive.value, std::accumulate(pressure.begin(), pressure.end(), 0.0), pressure);
+    scale_to_load(drive.value, sum(compliance_.grid(), pressure), pressure);
 }
 
 /// Scales the pressure, whose sum is `sum`, to the imposed load, and the displacement with it.
 void ElasticContact::scale_to_load(double load, double sum, std::span<double> pressure)
 {
   const double factor = load / (sum * compliance_.grid().cell_area());
-  for_pieces(pressure.size(),
+  for_pieces(cells(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
@@ -116,21 +117,20 @@ void ElasticContact::scale_to_load(double load, double sum, std::span<double> pr
 Report ElasticContact::evaluate(std::span<const double> distance, const Drive& drive, std::span<const double> pressure,
                                 std::span<double> gap) const
 {
-  const std::size_t cells = gap.size();
   const double* p = pressure.data();
   const double* u = displacement_.data();
   Report report;
   const auto pressed = [&](std::size_t first, std::size_t last) {
     return sum_of_pressed({first, last}, p, u, distance.data());
   };
-  const double approach = drive.kind == Drive::Kind::load ? sum_of_pieces(cells, pressed).mean() : drive.value;
+  const double approach = drive.kind == Drive::Kind::load ? sum_over(compliance_.grid(), pressed).mean() : drive.value;
   const auto close = [&](std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)
       gap[i] = u[i] + distance[i] - approach;
     return errors_of({first, last}, p, gap.data());
   };
-  const Errors errors = sum_of_pieces(cells, close);
+  const Errors errors = sum_of_pieces(cells(), close);
   report.approach = approach;
   report.gap_error = errors.gap;
   report.penetration = errors.penetration;
@@ -141,7 +141,7 @@ Report ElasticContact::evaluate(std::span<const double> distance, const Drive& d
 void ElasticContact::displace(std::span<const double> pressure, std::span<double> out)
 {
   compliance_.apply({.pressure = pressure}, {.z = out}, scratch_);
-  for (std::size_t i = 0; i < layer_.size(); ++i)
+  for (std::size_t i = 0; i < (layer_.empty() ? 0 : cells()); ++i)
     out[i] += layer_[i] * pressure[i];
 }
 
@@ -155,17 +155,17 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
   const double* g = gap.data();
   double* d = direction_.data();
   double* correction = image_.data();
-  for_pieces(gap.size(),
+  for_pieces(cells(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
                  correction[i] = is_free(p[i], g[i]) ? g[i] : 0.0;
              });
   compliance_.apply_inverse(image_, image_, scratch_);
-  const Slopes slopes = sum_of_pieces(gap.size(),
-                                      [&](std::size_t first, std::size_t last) {
-                                        return slopes_of({first, last}, p, g, correction, d);
-                                      });
+  const Slopes slopes = sum_over(compliance_.grid(),
+                                 [&](std::size_t first, std::size_t last) {
+                                   return slopes_of({first, last}, p, g, correction, d);
+                                 });
   // An imposed load must not change: the mean over the free cells is subtracted.
   const double share = load_given && slopes.count > 0.0 ? 1.0 / slopes.count : 0.0;
   const double new_slope = slopes.correction_descent - share * slopes.correction * slopes.gap;
@@ -174,14 +174,14 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
   if (!(new_slope + beta * before > 0.0)) // the set of free cells has changed: restart
     beta = 0.0;
   const double mean = share * (slopes.correction + beta * slopes.before);
-  for_pieces(gap.size(),
+  for_pieces(cells(),
              [&](std::size_t first, std::size_t last)
              {
                for (std::size_t i = first; i < last; ++i)
                  d[i] = is_free(p[i], g[i]) ? correction[i] + beta * d[i] - mean : 0.0;
              });
   displace(direction_, image_);
-  const double curvature = brinell::dot(direction_, image_);
+  const double curvature = brinell::dot(compliance_.grid(), direction_, image_);
   slope = new_slope;
   return curvature > 0.0 ? (new_slope + beta * before) / curvature : 0.0;
 }
@@ -194,7 +194,7 @@ ElasticContact::Step ElasticContact::advance(double step, std::span<const double
     return take_step({first, last}, step, gap.data(), direction_.data(), image_.data(), pressure.data(),
                      displacement_.data());
   };
-  const StepSums sums = sum_of_pieces(gap.size(), step_piece);
+  const StepSums sums = sum_over(compliance_.grid(), step_piece);
   return {sums.cut > 0.0, sums.pressure};
 }
 
@@ -202,19 +202,23 @@ Report ElasticContact::solve(std::span<const double> distance, const Drive& give
                              std::span<double> pressure, std::span<double> gap, const std::function<bool()>& wants_stop,
                              std::span<const double> layer)
 {
-  const std::size_t cells = compliance_.grid().size();
-  require_size("ElasticContact::solve: the distance", distance, cells);
-  require_size("ElasticContact::solve: the pressure", pressure, cells);
-  require_size("ElasticContact::solve: the gap", gap, cells);
+  const std::size_t all = compliance_.grid().size();
+  require_size("ElasticContact::solve: the distance", distance, all);
+  require_size("ElasticContact::solve: the pressure", pressure, all);
+  require_size("ElasticContact::solve: the gap", gap, all);
   if (!layer.empty())
-    require_size("ElasticContact::solve: the layer", layer, cells);
+    require_size("ElasticContact::solve: the layer", layer, all);
   layer_ = layer;
   const Drive drive = imposed(given, compliance_.grid(), distance, tolerance);
   if (drive.kind == Drive::Kind::load && !(drive.value > 0.0))
     return without_load(distance, pressure, gap);
   const Problem problem{distance, drive, tolerance, max_iterations, wants_stop};
-  return given.kind == Drive::Kind::mean_gap && !layer.empty() ? solve_mean_gap(problem, pressure, gap)
-                                                               : iterate(problem, pressure, gap);
+  const Report report = given.kind == Drive::Kind::mean_gap && !layer.empty() ? solve_mean_gap(problem, pressure, gap)
+                                                                              : iterate(problem, pressure, gap);
+  if (compliance_.grid().is_mirrored_y)
+    for (const std::span<double>& field : {pressure, gap})
+      complete_in_y(compliance_.grid(), 1.0, field.data(), field.size());
+  return report;
 }
 
 /// The conjugate gradients, under a load or an approach.

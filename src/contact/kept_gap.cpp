@@ -15,7 +15,8 @@ Report ElasticContact::solve_mean_gap(const Problem& problem, std::span<double> 
 {
   constexpr int most = 50;
   constexpr double steepest = 0.95; // a slope of one is that of full contact, where the gap is zero
-  const auto given_way = [&] { return brinell::dot(layer_, pressure) / static_cast<double>(layer_.size()); };
+  const auto given_way = [&]
+  { return brinell::dot(compliance_.grid(), layer_, pressure) / static_cast<double>(layer_.size()); };
   Problem turn = problem;
   double before = 0.0, depth_before = 0.0, slope = 0.0;
   turn.drive.value += given_way(); // by the guess

@@ -5,6 +5,7 @@
 #include "foundation/lane_functions.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace brinell
 {
@@ -26,14 +27,26 @@ const SurfaceGrid& checked(const SurfaceGrid& grid, int px, int py, int planes)
 
 } // namespace
 
+std::vector<Complex> phases_of_mirror(int ny, int py)
+{
+  std::vector<Complex> phases;
+  for (int n = 0; n <= py / 2; ++n) // the angle is reduced first, so that it is accurate for long series
+  {
+    const auto cycles = static_cast<double>(static_cast<long long>(n) * (ny - 1) % py) / py;
+    phases.push_back(std::polar(1.0, 2.0 * std::numbers::pi * cycles));
+  }
+  return phases;
+}
+
 BlockedFft::BlockedFft(const SurfaceGrid& grid, int px, int py, int planes)
-    : grid_(checked(grid, px, py, planes)), planes_(planes), rows_(grid.nx, px), columns_(py)
+    : grid_(checked(grid, px, py, planes)), planes_(planes), rows_(grid.nx, px), columns_(py),
+      phase_(grid.is_mirrored_y ? phases_of_mirror(grid.ny, py) : std::vector<Complex>{})
 {
 }
 
 std::size_t BlockedFft::rows_size() const
 {
-  return product(blocks(), planes_, grid_.ny);
+  return product(blocks(), planes_, stored_rows());
 }
 
 std::size_t BlockedFft::block_size() const
@@ -48,13 +61,14 @@ std::ptrdiff_t BlockedFft::plane_at(int block, int plane) const
 
 std::ptrdiff_t BlockedFft::rows_at(int block, int plane) const
 {
-  return (static_cast<std::ptrdiff_t>(block) * planes_ + plane) * grid_.ny;
+  return (static_cast<std::ptrdiff_t>(block) * planes_ + plane) * stored_rows();
 }
 
 BlockedFft::Scratch BlockedFft::make_scratch() const
 {
   return {rows_.make_work(), AlignedVector<ComplexLanes>(product(py(), 1)),
-          AlignedVector<ComplexLanes>(columns_.work_size())};
+          AlignedVector<ComplexLanes>(columns_.work_size()),
+          AlignedVector<ComplexLanes>(grid_.is_mirrored_y ? product(py(), 1) : 0U)};
 }
 
 RowFft::Spectra BlockedFft::rows_layout() const
@@ -71,23 +85,54 @@ void BlockedFft::rows_forward(const double* field, int plane, ComplexLanes* rows
 void BlockedFft::rows_forward(const double* field, int plane, int batch, ComplexLanes* rows, Scratch& scratch) const
 {
   const int first = batch * RowFft::most_rows;
-  rows_.forward(field + static_cast<std::ptrdiff_t>(first) * grid_.nx, std::min(RowFft::most_rows, grid_.ny - first),
-                rows + rows_at(0, plane) + first, rows_layout(), scratch.rows);
+  rows_.forward(field + static_cast<std::ptrdiff_t>(first) * grid_.nx,
+                std::min(RowFft::most_rows, stored_rows() - first), rows + rows_at(0, plane) + first, rows_layout(),
+                scratch.rows);
 }
 
-void BlockedFft::columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column,
-                                 Scratch& scratch) const
+void BlockedFft::columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column, Scratch& scratch,
+                                 bool is_odd) const
 {
   const ComplexLanes* series = rows + rows_at(block, plane);
-  for (int j = 0; plane + 1 < planes_ && j < grid_.ny; ++j)
-    fetch_soon(series + grid_.ny + j); // of the next plane
+  for (int j = 0; plane + 1 < planes_ && j < stored_rows(); ++j)
+    fetch_soon(series + stored_rows() + j); // of the next plane
+  if (grid_.is_mirrored_y)
+    series = both_sides(series, is_odd, scratch.both.data());
   columns_.forward(series, grid_.ny, column, scratch.work.data());
 }
 
-void BlockedFft::columns_inverse(const ComplexLanes* column, int block, int plane, ComplexLanes* rows,
-                                 Scratch& scratch) const
+/// All rows of a field from the independent ones.
+const ComplexLanes* BlockedFft::both_sides(const ComplexLanes* series, bool is_odd, ComplexLanes* both) const
 {
-  columns_.inverse(column, rows + rows_at(block, plane), grid_.ny, scratch.work.data());
+  for (int j = 0; j < stored_rows(); ++j)
+  {
+    const bool is_middle = 2 * j + 1 == grid_.ny;
+    both[j] = is_middle && is_odd ? ComplexLanes{} : series[j];
+    if (!is_middle)
+      both[grid_.ny - 1 - j] = is_odd ? -1.0 * series[j] : series[j];
+  }
+  return both;
+}
+
+/// All wavenumbers of a spectrum from those >= 0.
+const ComplexLanes* BlockedFft::all_waves(const ComplexLanes* column, bool is_odd, ComplexLanes* all) const
+{
+  std::copy_n(column, waves_along_y(), all);
+  for (int n = 1; 2 * n < py(); ++n)
+  {
+    const Complex& phase = phase_[static_cast<std::size_t>(n)];
+    const ComplexLanes opposite = phase.real() * column[n] + phase.imag() * times_i(column[n]);
+    all[py() - n] = is_odd ? -1.0 * opposite : opposite;
+  }
+  return all;
+}
+
+void BlockedFft::columns_inverse(const ComplexLanes* column, int block, int plane, ComplexLanes* rows, Scratch& scratch,
+                                 bool is_odd) const
+{
+  if (grid_.is_mirrored_y)
+    column = all_waves(column, is_odd, scratch.both.data());
+  columns_.inverse(column, rows + rows_at(block, plane), stored_rows(), scratch.work.data());
 }
 
 void BlockedFft::rows_inverse(const ComplexLanes* rows, int plane, double* field, Scratch& scratch) const
@@ -99,7 +144,7 @@ void BlockedFft::rows_inverse(const ComplexLanes* rows, int plane, double* field
 void BlockedFft::rows_inverse(const ComplexLanes* rows, int plane, int batch, double* field, Scratch& scratch) const
 {
   const int first = batch * RowFft::most_rows;
-  rows_.inverse(rows + rows_at(0, plane) + first, rows_layout(), std::min(RowFft::most_rows, grid_.ny - first),
+  rows_.inverse(rows + rows_at(0, plane) + first, rows_layout(), std::min(RowFft::most_rows, stored_rows() - first),
                 1.0 / (static_cast<double>(px()) * py()), field + static_cast<std::ptrdiff_t>(first) * grid_.nx,
                 scratch.rows);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/grid.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,6 +93,21 @@ template <typename Part>
   return total;
 }
 
+/// Sum over all cells of a grid. On a mirrored one each independent row counts as often as it occurs.
+template <typename Part>
+[[nodiscard]] auto sum_over(const SurfaceGrid& grid, const Part& part)
+{
+  const std::size_t cells = grid.independent_cells();
+  if (!grid.is_mirrored_y)
+    return sum_of_pieces(cells, part);
+  const std::size_t beside = grid.index(0, grid.ny / 2); // cells on one side of the plane
+  auto total = sum_of_pieces(beside, part);
+  total += decltype(total)(total);
+  if (beside < cells)
+    total += part(beside, cells);
+  return total;
+}
+
 /// The larger of two values; NaN if either is NaN.
 [[nodiscard]] inline double larger(double a, double b)
 {
@@ -107,6 +124,17 @@ template <typename Part>
 {
   return sum_of_pieces(a.size(), [&](std::size_t first, std::size_t last)
                        { return std::inner_product(a.begin() + first, a.begin() + last, b.begin() + first, 0.0); });
+}
+/// Sums over all cells of a grid.
+[[nodiscard]] inline double sum(const SurfaceGrid& grid, std::span<const double> field)
+{
+  return sum_over(grid, [&](std::size_t first, std::size_t last)
+                  { return std::accumulate(field.begin() + first, field.begin() + last, 0.0); });
+}
+[[nodiscard]] inline double dot(const SurfaceGrid& grid, std::span<const double> a, std::span<const double> b)
+{
+  return sum_over(grid, [&](std::size_t first, std::size_t last)
+                  { return std::inner_product(a.begin() + first, a.begin() + last, b.begin() + first, 0.0); });
 }
 
 } // namespace brinell

@@ -50,7 +50,7 @@ class CoarserContact;
 /// reported gap always results from a product with the pressure itself. The iteration, step by step: docs/theory/contact.md.
 ///
 /// If the initial pressure is zero everywhere, the guess on a large grid is the pressure of the same contact solved on larger
-/// cells; the iteration converges to the same solution.
+/// cells; the iteration converges to the same solution. On a mirrored grid half of the cells are solved.
 class ElasticContact
 {
 public:
@@ -94,6 +94,7 @@ private:
     bool cut = false; ///< whether a pressure below zero was cut off somewhere
     double sum = 0.0; ///< of the pressure
   };
+  [[nodiscard]] std::size_t cells() const { return compliance_.grid().independent_cells(); } ///< solved ones
   void displace(std::span<const double> pressure, std::span<double> out);
   void guess(std::span<const double> distance, const Drive& drive, double tolerance, std::span<double> pressure,
              const std::function<bool()>& wants_stop);

@@ -41,7 +41,8 @@ public:
   /// Displacement across the plane of a plane problem by shear across it, over the displacement in the plane by shear
   /// in it, in the limit of short waves: sum of 1/mu over sum of (1 - nu)/mu of both bodies.
   [[nodiscard]] double along_over_across() const;
-  /// The displacement [m]; parts of the load and of the displacement that are empty cost nothing.
+  /// The displacement [m]; parts of the load and of the displacement that are empty cost nothing. On a mirrored grid only the
+  /// independent rows are read and written.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
   /// As above, with a temporary scratch.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const;

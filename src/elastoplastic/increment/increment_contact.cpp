@@ -37,9 +37,6 @@ void press(ContactParts& c, const Task& task, IncrementReport& report)
   const contact::Report contact =
       c.contact.solve(c.distance, task.drive, tolerance_of_gap(c), max_iterations, c.state.pressure, c.state.gap,
                       task.strategy.wants_stop, c.compliance_of_effects);
-  if (c.grid().is_mirrored_y) // otherwise rounding errors would grow from step to step
-    for (std::vector<double>* field : {&c.state.pressure, &c.state.gap})
-      complete_in_y(c.grid(), 1.0, field->data(), field->size());
   report.contact_iterations += contact.iterations;
   report.gap_error = std::max(contact.gap_error, contact.penetration);
   report.contact_converged = contact.converged;

@@ -16,7 +16,7 @@ double pressure_energy(const ContactParts& c)
   std::vector<double> displacement(c.state.pressure.size());
   halfspace::SurfaceCompliance::Scratch scratch = c.compliance.make_scratch();
   c.compliance.apply({.pressure = c.state.pressure}, {.z = displacement}, scratch);
-  return 0.5 * dot(c.state.pressure, displacement) * c.grid().cell_area();
+  return 0.5 * dot(c.grid(), c.state.pressure, displacement) * c.grid().cell_area();
 }
 
 } // namespace

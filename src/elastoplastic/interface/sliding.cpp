@@ -55,8 +55,9 @@ void add(double factor, std::span<const double> field, std::span<double> to)
 
 SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper,
                                    const Friction& friction, int direction, double reference)
-    : Interface(friction), pair_(grid, lower, upper, reference), unit_(grid, unit_body, rigid_body, reference),
-      direction_(direction), lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
+    : Interface(friction), pair_(grid.whole(), lower, upper, reference),
+      unit_(grid.whole(), unit_body, rigid_body, reference), direction_(direction),
+      lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
       limit_(grid.size(), std::numeric_limits<double>::infinity())
 {
   // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
@@ -67,7 +68,7 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   else if (upper.is_rigid())
     lower_share_ = 1.0;
   else if (!lower.is_rigid())
-    lower_alone_.emplace(grid, lower, rigid_body, reference);
+    lower_alone_.emplace(grid.whole(), lower, rigid_body, reference);
   assign_fields(state_, grid.size());
   for (std::vector<double>* field : {&work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);

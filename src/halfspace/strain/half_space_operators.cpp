@@ -30,9 +30,9 @@ int parts_for(int layers)
 
 HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constants, double shortest)
     : grid(volume), elastic(constants),
-      surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
-      volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
-      trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
+      surface_fft(volume.surface.whole(), padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
+      volume_fft(volume.surface.whole(), surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
+      trace_fft(volume.surface.whole(), surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       eigenstrain_stress(volume, constants, surface_fft, shortest), image_correction(volume, constants, surface_fft)
 {

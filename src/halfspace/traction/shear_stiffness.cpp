@@ -32,7 +32,7 @@ ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const green::PairConstan
 
 ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& larger,
                                const green::PairConstants& constants, double reference)
-    : product_(grid, {larger.nx, larger.ny}), stiffness_(product_.fft())
+    : product_(grid, {larger.nx, larger.ny}, {false, true}), stiffness_(product_.fft())
 {
   const std::vector<ShearWave> compliance = waves(larger, constants, reference);
   // Uniform shears, which cause no displacement, are assigned a stiffness: see `inverse` in surface_compliance.cpp.

@@ -48,7 +48,7 @@ struct TractionCompliance::Operator
   double largest_of_shear = 0.0; ///< [m/Pa]
 
   Operator(const SurfaceGrid& grid, const green::PairConstants& pair, double at)
-      : constants(pair), reference(at), product(grid, padded_lengths(grid)), terms(product.fft()),
+      : constants(pair), reference(at), product(grid, padded_lengths(grid), {false, false, true}), terms(product.fft()),
         stiffness(grid, pair, reference)
   {
     const PaddedFft padded(grid);

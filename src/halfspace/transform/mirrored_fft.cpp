@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mirrored_fft.hpp"
 
+#include "foundation/blocked_fft.hpp"
 #include "foundation/lane_functions.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace brinell::halfspace
 {
@@ -21,13 +20,9 @@ ComplexLanes times(const Complex& f, const ComplexLanes& a)
 } // namespace
 
 MirroredFft::MirroredFft(const VolumeGrid& grid, int px, int py)
-    : grid_(grid), half_((grid.surface.ny + 1) / 2), rows_(grid.surface.nx, px), columns_(py)
+    : grid_(grid), half_((grid.surface.ny + 1) / 2), rows_(grid.surface.nx, px), columns_(py),
+      phase_(phases_of_mirror(grid.surface.ny, py))
 {
-  for (int n = 0; n <= py / 2; ++n) // the angle is reduced first, so that it is accurate for long series
-  {
-    const auto cycles = static_cast<double>(static_cast<long long>(n) * (grid.surface.ny - 1) % py) / py;
-    phase_.push_back(std::polar(1.0, 2.0 * std::numbers::pi * cycles));
-  }
 }
 
 std::size_t MirroredFft::rows_size() const

@@ -43,7 +43,8 @@ private:
   AlignedVector<Value> values_;
 };
 
-/// Fields on a surface -> the same number of fields, by a matrix at each wave. Empty fields are skipped.
+/// Fields on a surface -> the same number of fields, by a matrix at each wave. Empty fields are skipped. On a mirrored grid only
+/// the independent rows are read and written.
 ///
 /// A block of neighbouring columns is transformed, multiplied and transformed back while it is in the cache.
 template <std::size_t count>
@@ -55,7 +56,11 @@ public:
   using Out = std::array<std::span<double>, count>;
 
   /// @param lengths  of the transforms; beyond the grid the fields are zero
-  WaveProduct(const SurfaceGrid& grid, const PaddedLengths& lengths) : fft_(grid, lengths.x, lengths.y, 1) {}
+  /// @param is_odd   of a mirrored grid: which fields are odd in y
+  WaveProduct(const SurfaceGrid& grid, const PaddedLengths& lengths, const std::array<bool, count>& is_odd = {})
+      : fft_(grid, lengths.x, lengths.y, 1), is_odd_(is_odd)
+  {
+  }
 
   [[nodiscard]] const BlockedFft& fft() const { return fft_; }
 
@@ -112,8 +117,8 @@ private:
   {
     for (std::size_t f = 0; f < count; ++f)
       if (!in[f].empty())
-        fft_.columns_forward(scratch.rows[f].data(), block, 0, own[f].column.data(), own[f]);
-    for (int row = 0; row < fft_.py(); ++row)
+        fft_.columns_forward(scratch.rows[f].data(), block, 0, own[f].column.data(), own[f], is_odd_[f]);
+    for (int row = 0; row < fft_.waves_along_y(); ++row)
     {
       const auto line = static_cast<std::size_t>(row);
       Values values;
@@ -127,10 +132,11 @@ private:
     }
     for (std::size_t f = 0; f < count; ++f)
       if (!out[f].empty())
-        fft_.columns_inverse(own[f].column.data(), block, 0, scratch.rows[f].data(), own[f]);
+        fft_.columns_inverse(own[f].column.data(), block, 0, scratch.rows[f].data(), own[f], is_odd_[f]);
   }
 
   BlockedFft fft_;
+  std::array<bool, count> is_odd_;
 };
 
 } // namespace brinell::halfspace

@@ -2,7 +2,9 @@
 #include "foundation/blocked_fft.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "foundation/fft.hpp"
+#include "mirrored_grid.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
@@ -98,6 +100,41 @@ TEST_P(BlockedFftTest, ThereAndBackIsTheField)
     blocked.rows_inverse(rows.data(), plane, field.data(), scratch);
     for (std::size_t i = 0; i < field.size(); ++i)
       EXPECT_NEAR(field[i], fields[static_cast<std::size_t>(plane)][i], rounding);
+  }
+}
+
+/// One side of an even and of an odd field; what is not to be read is no number.
+TEST_P(BlockedFftTest, OneSideOfAMirroredGridTellsBoth)
+{
+  const SurfaceGrid half = test::mirrored(grid);
+  const BlockedFft fft(half, plain.px(), plain.py(), 2);
+  BlockedFft::Scratch own = fft.make_scratch();
+  AlignedVector<ComplexLanes> of_half(fft.rows_size()), column(static_cast<std::size_t>(blocked.py()));
+  for (int plane = 0; plane < 2; ++plane)
+  {
+    std::vector<double>& field = fields[static_cast<std::size_t>(plane)];
+    if (plane == 1 && grid.ny % 2 == 1)
+      std::fill_n(field.begin() + static_cast<std::ptrdiff_t>(grid.index(0, grid.ny / 2)), grid.nx, 0.0);
+    complete_in_y(grid, plane == 0 ? 1.0 : -1.0, field.data(), field.size());
+    blocked.rows_forward(field.data(), plane, rows.data(), scratch);
+    std::vector<double> one_side(field.begin(), field.begin() + static_cast<std::ptrdiff_t>(half.independent_cells()));
+    fft.rows_forward(one_side.data(), plane, of_half.data(), own);
+    for (int block = 0; block < fft.blocks(); ++block)
+    {
+      blocked.columns_forward(rows.data(), block, plane, column.data(), scratch);
+      fft.columns_forward(of_half.data(), block, plane, own.column.data(), own, plane == 1);
+      for (int row = 0; row < fft.waves_along_y(); ++row)
+        for (int lane = 0; lane < lane_count; ++lane)
+        {
+          const ComplexLanes &a = own.column[static_cast<std::size_t>(row)], &b = column[static_cast<std::size_t>(row)];
+          EXPECT_NEAR(a.re[lane], b.re[lane], rounding * static_cast<double>(grid.size()));
+          EXPECT_NEAR(a.im[lane], b.im[lane], rounding * static_cast<double>(grid.size()));
+        }
+      fft.columns_inverse(own.column.data(), block, plane, of_half.data(), own, plane == 1);
+    }
+    fft.rows_inverse(of_half.data(), plane, one_side.data(), own);
+    for (std::size_t i = 0; i < one_side.size(); ++i)
+      EXPECT_NEAR(one_side[i], field[i], rounding) << plane;
   }
 }
 

@@ -2,14 +2,17 @@
 #include "brinell/halfspace/traction_compliance.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/surface_terms.hpp"
 #include "brinell/halfspace/surface_compliance.hpp"
 #include "grid_fields.hpp"
+#include "mirrored_grid.hpp"
 #include "order.hpp"
 #include "random_field.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -66,6 +69,43 @@ INSTANTIATE_TEST_SUITE_P(
                     SurfaceGrid{8, 6, 0.7, 0.9, periodic, periodic}, SurfaceGrid{7, 5, 0.7, 0.9, periodic, periodic},
                     SurfaceGrid{6, 1, 1.0, 1.0, periodic, periodic}, SurfaceGrid{8, 6, 0.7, 0.9, open, periodic},
                     SurfaceGrid{7, 5, 0.7, 0.9, periodic, open}, SurfaceGrid{9, 1, 0.7, 0.9, open, periodic}));
+
+/// From one side of the plane y = 0, by both operators and their approximate inverses.
+TEST_P(TractionComplianceTest, OneSideOfMirrorImagesTellsBoth)
+{
+  const SurfaceGrid& grid = GetParam();
+  const SurfaceGrid half = test::mirrored(grid);
+  const TractionCompliance compliance(grid, soft, stiff, 50.0), of_half = compliance.on(half);
+  const SurfaceCompliance normal(grid, 1.3, 50.0), normal_of_half = normal.on(half);
+  Fields load = random_load(grid.size(), 3);
+  if (grid.ny % 2 == 1)
+    std::fill_n(load.y.begin() + static_cast<std::ptrdiff_t>(grid.index(0, grid.ny / 2)), grid.nx, 0.0);
+  for (Field* field : {&load.z, &load.x, &load.y})
+    complete_in_y(grid, field == &load.y ? -1.0 : 1.0, field->data(), field->size());
+  const auto expect_alike = [&](const Field& one_side, const Field& both, double scale = 0.0)
+  {
+    const auto end = static_cast<std::ptrdiff_t>(half.independent_cells());
+    EXPECT_LE(largest_difference({one_side.begin(), one_side.begin() + end}, {both.begin(), both.begin() + end}),
+              1e-13 * std::max(test::largest(both), scale)); // rounding
+  };
+  const Fields expected = displacement(compliance, load), found = displacement(of_half, load);
+  expect_alike(found.z, expected.z);
+  expect_alike(found.x, expected.x);
+  expect_alike(found.y, expected.y, test::largest(expected.x));
+  Fields back = load, back_of_half = load;
+  TractionCompliance::Scratch scratch = compliance.make_scratch(), own = of_half.make_scratch();
+  compliance.apply_inverse({load.x, load.y}, {back.x, back.y}, scratch);
+  of_half.apply_inverse({load.x, load.y}, {back_of_half.x, back_of_half.y}, own);
+  expect_alike(back_of_half.x, back.x);
+  expect_alike(back_of_half.y, back.y, test::largest(back.x));
+  SurfaceCompliance::Scratch both = normal.make_scratch(), one = normal_of_half.make_scratch();
+  normal.apply({.pressure = load.z}, {.z = back.z}, both);
+  normal_of_half.apply({.pressure = load.z}, {.z = back_of_half.z}, one);
+  expect_alike(back_of_half.z, back.z);
+  normal.apply_inverse(load.z, back.z, both);
+  normal_of_half.apply_inverse(load.z, back_of_half.z, one);
+  expect_alike(back_of_half.z, back.z);
+}
 
 TEST_P(TractionComplianceTest, IsSymmetricAndPositive)
 {
