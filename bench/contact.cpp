@@ -96,8 +96,7 @@ std::vector<double> rough_distance(int n, int shortest)
         waves[static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i)] =
             std::polar(std::pow(k, -1.8), phase);
     }
-  PaddedFft::Scratch scratch = fft.make_scratch();
-  fft.inverse(waves.data(), distance.data(), scratch);
+  fft.inverse(waves.data(), distance);
   double squares = 0.0;
   for (const double d : distance)
     squares += d * d / static_cast<double>(distance.size());

@@ -24,7 +24,7 @@ struct SpectrumRows
   static constexpr int most = 4;
 };
 
-/// Zero-padded transforms (as PaddedFft) of many planes at once: the components of a field in every layer of a volume.
+/// Zero-padded transforms of many planes at once: the components of a field in every layer of a volume.
 ///
 /// The operators of a layered body couple all planes at one wavenumber. The spectrum is therefore divided into blocks of
 /// `lane_count` neighbouring wavenumbers along x, each small enough for the cache, and the transforms along x and y are separate:

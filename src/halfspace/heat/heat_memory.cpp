@@ -30,11 +30,10 @@ HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& t
                                             surface.at_surface.end() - 1),
       heat_{AlignedVector<ComplexLanes>(block_of(fft_.rows()) * waves_.waves.size())}
 {
-  const PlaneOfWaves& all = fft_.full_plane();
   for (int row = 0; row < fft_.rows(); ++row)
-    for (int i = 0; i < all.kx(); ++i)
+    for (int i = 0; i < fft_.kx(); ++i)
     {
-      const double kx = all.wavenumber_x(i), ky = all.wavenumber_y(row);
+      const double kx = fft_.wavenumber_x(i), ky = fft_.wavenumber_y(row);
       along_.push_back({kx, ky, std::hypot(kx, ky), 2 * i == px ? 0.0 : kx, 2 * row == py ? 0.0 : ky});
     }
   for (int row = 0; row < fft_.rows(); ++row)
@@ -100,7 +99,7 @@ void HeatMemory::add_remaining(double duration, double factor, const SurfaceGrid
         sum[begin_of(row) + i] *= left[i % lane_count] * mean_x[i] * of_row;
     }
   }
-  const IndependentRowsFft::Spectrum rows{sum.data(), fft_.full_plane().kx()};
+  const PaddedFft::Spectrum rows{sum.data(), fft_.kx()};
   fft_.inverse({&rows, 1}, {false}, true, {temperature});
 }
 
@@ -231,8 +230,7 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
                         const Window& window) const
 {
   // Uninitialised memory suffices: all values that are read later are written first.
-  const auto spectra =
-      std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane() + IndependentRowsFft::slack));
+  const auto spectra = std::make_unique_for_overwrite<double[]>(2 * (out.size() * fft_.plane()));
   auto* const waves = reinterpret_cast<Complex*>(spectra.get());
   const bool has_buried = buried_ && !buried_->is_cold();
   const bool is_deep = !depths.front().temperature.empty();
@@ -269,7 +267,7 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
         add_row(row, wanted, of_row);
     }
   }
-  std::vector<IndependentRowsFft::Spectrum> rows;
+  std::vector<PaddedFft::Spectrum> rows;
   rows.reserve(out.size());
   for (std::size_t f = 0; f < out.size(); ++f)
     rows.push_back({waves + f * fft_.plane(), significant[f / fields_of_heat.is_odd.size()]});
@@ -289,11 +287,11 @@ void HeatMemory::add_buried(double factor, std::span<double> temperature) const
 {
   if (!buried_ || buried_->is_cold())
     return;
-  AlignedVector<Complex> spectrum(fft_.plane() + IndependentRowsFft::slack);
+  AlignedVector<Complex> spectrum(fft_.plane());
   buried_->add_surface(spectrum.data());
   for (Complex& wave : spectrum)
     wave *= factor;
-  const IndependentRowsFft::Spectrum rows{spectrum.data(), fft_.full_plane().kx()};
+  const PaddedFft::Spectrum rows{spectrum.data(), fft_.kx()};
   fft_.inverse({&rows, 1}, {false}, true, {temperature});
 }
 

@@ -3,8 +3,8 @@
 
 #include "brinell/halfspace/heat_response.hpp"
 #include "buried_heat.hpp"
+#include "foundation/fft.hpp"
 #include "halfspace/transform/depth_sums.hpp"
-#include "halfspace/transform/independent_rows_fft.hpp"
 
 #include <functional>
 #include <memory>
@@ -49,9 +49,9 @@ public:
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
              const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
-  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.full_plane().grid(); }
-  [[nodiscard]] int period_x() const { return fft_.full_plane().px(); } ///< [cells]
-  [[nodiscard]] int period_y() const { return fft_.full_plane().py(); }
+  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
+  [[nodiscard]] int period_x() const { return fft_.px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return fft_.py(); }
   [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
 
   /// Adds `factor` times the temperature of the surface that remains after `duration`, for a flux that is uniform in each cell.
@@ -61,7 +61,7 @@ public:
   /// Adds `factor` times the temperature of the surface due to the heat generated in the body, in its present state.
   void add_buried(double factor, std::span<double> temperature) const;
 
-  using Window = IndependentRowsFft::Window;
+  using Window = PaddedFft::Window;
   [[nodiscard]] Window whole() const { return fft_.whole(); }
   /// Definition of some fields at one depth.
   struct FieldsOfHeat
@@ -105,7 +105,7 @@ public:
   void set_whole_heat_in_body(std::span<const double> values);
 
 private:
-  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.full_plane().kx()); }
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.kx()); }
   /// Index of the first wave of a row.
   [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
   [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
@@ -192,7 +192,7 @@ private:
                                  SurfaceSums& sums) const;
   [[nodiscard]] SurfaceSums find_sums(double duration) const;
 
-  IndependentRowsFft fft_;
+  PaddedFft fft_;
   double diffusivity_, conductivity_;
   DepthWaves waves_;
   std::vector<double> at_surface_; ///< weights of all waves except the last one in the potential at the surface

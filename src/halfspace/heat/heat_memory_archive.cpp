@@ -10,7 +10,7 @@ namespace brinell::halfspace
 
 std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) const
 {
-  const std::size_t all = fft_.full_plane().plane();
+  const std::size_t all = fft_.whole_plane();
   AlignedVector<Complex> plane(all);
   std::vector<double> values;
   values.reserve(2 * planes.size() / fft_.plane() * all);
@@ -25,7 +25,7 @@ std::vector<double> HeatMemory::whole(const AlignedVector<Complex>& planes) cons
 
 AlignedVector<Complex> HeatMemory::independent_rows_of(std::span<const double> values) const
 {
-  const std::size_t all = 2 * fft_.full_plane().plane(), planes = values.size() / all;
+  const std::size_t all = 2 * fft_.whole_plane(), planes = values.size() / all;
   AlignedVector<Complex> rows(planes * fft_.plane());
   for (std::size_t p = 0; p < planes; ++p)
     std::copy_n(values.data() + p * all, 2 * columns() * static_cast<std::size_t>(fft_.rows()),
@@ -54,7 +54,7 @@ HeatMemory::WholeHeat HeatMemory::whole_heat() const
 
 void HeatMemory::set_whole_heat(const WholeHeat& heat)
 {
-  const std::size_t all = 2 * fft_.full_plane().plane();
+  const std::size_t all = 2 * fft_.whole_plane();
   require_size("HeatMemory::set_whole_heat: the heat", heat.waves, waves_.waves.size() * all);
   require_size("HeatMemory::set_whole_heat: the amended heat", heat.amended, heat.amended.empty() ? 0 : all);
   const AlignedVector<Complex> planes = independent_rows_of(heat.waves);
@@ -85,7 +85,7 @@ void HeatMemory::set_whole_heat_in_body(std::span<const double> values)
   if (!buried_)
     return;
   require_size("HeatMemory::set_whole_heat_in_body: the heat", values,
-               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.full_plane().plane());
+               values.empty() ? 0 : 2 * buried_->layers().size() * fft_.whole_plane());
   buried_->set_modes(independent_rows_of(values), fft_.plane());
 }
 

@@ -279,7 +279,7 @@ HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
 
 HeatMemory::SurfaceSums HeatMemory::empty_sums(double duration) const
 {
-  const AlignedVector<Complex> plane(fft_.plane() + IndependentRowsFft::slack), none;
+  const AlignedVector<Complex> plane(fft_.plane()), none;
   const AlignedVector<Complex>& of_fields = waves_.has_fields ? plane : none;
   return {duration, plane, of_fields, of_fields, of_fields};
 }

@@ -49,10 +49,9 @@ struct HeatResponse::Operator
   PaddedFft fft;
   AlignedVector<Complex> spectrum;
 
-  Operator(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion) : fft(grid), spectrum(fft.plane())
+  Operator(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion)
+      : fft(grid.whole()), spectrum(fft.forward_padded(tabulate(thermal, motion)))
   {
-    AlignedVector<double> response = tabulate(thermal, motion);
-    fft.forward_padded(response, spectrum.data());
   }
 
   Operator(const Operator& one, const Operator& other) : fft(one.fft.grid()), spectrum(one.spectrum)
@@ -95,7 +94,6 @@ struct HeatResponse::Operator
 
 struct HeatResponse::Buffers
 {
-  PaddedFft::Scratch rows;
   AlignedVector<Complex> spectrum;
 };
 
@@ -132,7 +130,6 @@ const SurfaceGrid& HeatResponse::grid() const
 HeatResponse::Scratch HeatResponse::make_scratch() const
 {
   auto buffers = make_hidden<Buffers>();
-  buffers->rows = operator_->fft.make_scratch();
   buffers->spectrum.resize(operator_->fft.plane());
   return buffers;
 }
@@ -142,10 +139,10 @@ void HeatResponse::apply(std::span<const double> flux, std::span<double> tempera
   require_size("HeatResponse::apply: the flux", flux, grid().size());
   require_size("HeatResponse::apply: the temperature", temperature, grid().size());
   Buffers& buffers = *scratch;
-  operator_->fft.forward(flux.data(), buffers.spectrum.data(), buffers.rows);
+  operator_->fft.forward(flux, buffers.spectrum.data());
   for (std::size_t i = 0; i < buffers.spectrum.size(); ++i)
     buffers.spectrum[i] *= operator_->spectrum[i];
-  operator_->fft.inverse(buffers.spectrum.data(), temperature.data(), buffers.rows);
+  operator_->fft.inverse(buffers.spectrum.data(), temperature);
 }
 
 } // namespace brinell::halfspace

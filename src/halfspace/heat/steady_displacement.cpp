@@ -79,9 +79,7 @@ AlignedVector<Complex> spectrum_of_offsets(const PaddedFft& fft, std::span<const
       response[static_cast<std::size_t>(y.wrapped(j, fft.py())) * static_cast<std::size_t>(fft.px()) +
                static_cast<std::size_t>(x.wrapped(i, fft.px()))] =
           table[static_cast<std::size_t>(j) * static_cast<std::size_t>(x.count) + static_cast<std::size_t>(i)];
-  AlignedVector<Complex> spectrum(fft.plane());
-  fft.forward_padded(response, spectrum.data());
-  return spectrum;
+  return fft.forward_padded(response);
 }
 
 } // namespace brinell::halfspace

@@ -71,18 +71,16 @@ struct SteadyField::State
   {
     const PaddedFft& fft;
     AlignedVector<Complex> flux, product;
-    PaddedFft::Scratch room;
 
     Convolution(const PaddedFft& given, std::span<const double> field)
-        : fft(given), flux(given.plane()), product(given.plane()), room(given.make_scratch())
+        : fft(given), flux(given.forward(field)), product(given.plane())
     {
-      fft.forward(field.data(), flux.data(), room);
     }
     void operator()(const AlignedVector<Complex>& spectrum, std::span<double> out)
     {
       for (std::size_t i = 0; i < flux.size(); ++i)
         product[i] = flux[i] * spectrum[i];
-      fft.inverse(product.data(), out.data(), room);
+      fft.inverse(product.data(), out);
     }
   };
 };
@@ -92,8 +90,8 @@ SteadyField::SteadyField(const SurfaceGrid& grid, const Thermal& thermal, const 
 {
   require_steady("SteadyField", grid, thermal, motion);
   require_depths(depths, thermal, elastic);
-  state_ = make_hidden<State>(std::move(depths), PaddedFft(grid), SteadyLattices(grid, thermal, motion.velocity),
-                              thermal, elastic, motion);
+  state_ = make_hidden<State>(std::move(depths), PaddedFft(grid.whole()),
+                              SteadyLattices(grid, thermal, motion.velocity), thermal, elastic, motion);
   State& state = *state_;
   if (motion.velocity != 0.0 || motion.reference)
     state.of_displacement =

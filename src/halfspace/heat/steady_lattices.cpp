@@ -141,7 +141,7 @@ SurfaceWave SteadyLattices::wave(int a, int b, int level) const
 /// Adds the fields of all waves of the finest lattice.
 void SteadyLattices::add_near(std::span<const double> depths, const Fields& fields, std::span<Values> out) const
 {
-  const PaddedFft fft(offsets_, x_.length, y_.length);
+  const PaddedFft fft(offsets_.whole(), x_.length, y_.length);
   const std::size_t count = fields.is_odd.size();
   std::vector<AlignedVector<Complex>> spectra(depths.size() * count, AlignedVector<Complex>(fft.plane()));
   const auto columns = static_cast<std::size_t>(fft.kx());
@@ -168,9 +168,8 @@ void SteadyLattices::add_near(std::span<const double> depths, const Fields& fiel
         }
       }
   }
-  PaddedFft::Scratch room = fft.make_scratch();
   for (std::size_t f = 0; f < spectra.size(); ++f)
-    fft.inverse(spectra[f].data(), out[f].data(), room);
+    fft.inverse(spectra[f].data(), out[f]);
 }
 
 /// Adds, at the nodes, the fields of a lattice with twice the period and more time minus those of this lattice.

@@ -63,7 +63,7 @@ struct ThermalResponse::Operator
   PaddedFft fft;
   std::array<AlignedVector<Complex>, 3> spectra; ///< of the displacements along z, x and y; empty: not prepared
 
-  Operator(const SurfaceGrid& grid, const OfCell& displacement) : fft(grid)
+  Operator(const SurfaceGrid& grid, const OfCell& displacement) : fft(grid.whole())
   {
     for (std::size_t part = 0; part < spectra.size(); ++part)
       if (!displacement[part].empty())
@@ -73,7 +73,6 @@ struct ThermalResponse::Operator
 
 struct ThermalResponse::Buffers
 {
-  PaddedFft::Scratch rows;
   AlignedVector<Complex> flux, spectrum;
 };
 
@@ -94,7 +93,6 @@ const SurfaceGrid& ThermalResponse::grid() const
 ThermalResponse::Scratch ThermalResponse::make_scratch() const
 {
   Scratch scratch = make_hidden<Buffers>();
-  scratch->rows = operator_->fft.make_scratch();
   scratch->flux.resize(operator_->fft.plane());
   scratch->spectrum.resize(operator_->fft.plane());
   return scratch;
@@ -105,7 +103,7 @@ void ThermalResponse::apply(std::span<const double> flux, const SurfaceDisplacem
 {
   require_size("ThermalResponse::apply: the flux", flux, grid().size());
   require_displacement("ThermalResponse::apply", displacement, grid().size());
-  operator_->fft.forward(flux.data(), scratch->flux.data(), scratch->rows);
+  operator_->fft.forward(flux, scratch->flux.data());
   const std::array<std::span<double>, 3> out{displacement.z, displacement.x, displacement.y};
   for (std::size_t part = 0; part < out.size(); ++part)
   {
@@ -116,7 +114,7 @@ void ThermalResponse::apply(std::span<const double> flux, const SurfaceDisplacem
       throw InternalError("ThermalResponse::apply: a component of the displacement that is not prepared");
     for (std::size_t i = 0; i < response.size(); ++i)
       scratch->spectrum[i] = scratch->flux[i] * response[i];
-    operator_->fft.inverse(scratch->spectrum.data(), out[part].data(), scratch->rows);
+    operator_->fft.inverse(scratch->spectrum.data(), out[part]);
   }
 }
 

@@ -64,8 +64,7 @@ std::vector<double> spectrum_of(const SurfaceGrid& grid, const KernelPlaces& pla
             value += weight * response(x.offset, y.offset);
       kernel.push_back(value);
     }
-  AlignedVector<Complex> transformed(fft.plane());
-  fft.forward_padded(kernel, transformed.data());
+  const AlignedVector<Complex> transformed = fft.forward_padded(kernel);
   std::vector<double> spectrum;
   for (int row = 0; row <= fft.py() / 2; ++row)
     for (int i = 0; i < fft.kx(); ++i)

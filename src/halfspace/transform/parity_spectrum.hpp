@@ -36,14 +36,13 @@ void parity_spectrum(const PaddedFft& fft, const Parity& parity, const Value& va
   const int px = fft.px(), py = fft.py();
   const Offsets along_x(grid.nx, grid.boundary_x), along_y(grid.ny, grid.boundary_y);
   AlignedVector<double> plane(static_cast<std::size_t>(px) * static_cast<std::size_t>(py));
-  AlignedVector<Complex> transformed(fft.plane());
   for (int j = along_y.first(); j <= along_y.last(); ++j)
     for (int i = along_x.first(); i <= along_x.last(); ++i)
     {
       const double sign = (parity.odd_x ? along_x.sign(i) : 1.0) * (parity.odd_y ? along_y.sign(j) : 1.0);
       plane[static_cast<std::size_t>((j + py) % py * px + (i + px) % px)] = sign * value(i, j);
     }
-  fft.forward_padded(plane, transformed.data());
+  const AlignedVector<Complex> transformed = fft.forward_padded(plane);
   for (int row = 0; row <= py / 2; ++row)
     for (int i = 0; i < fft.kx(); ++i)
     {

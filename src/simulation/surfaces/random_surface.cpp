@@ -202,8 +202,7 @@ void add_by_transform(const RandomSurface::Waves& w, const std::vector<Complex>&
       add(-i, -j, std::conj(half));
     }
   std::vector<double> plane(period.size());
-  PaddedFft::Scratch scratch = fft.make_scratch();
-  fft.inverse(spectrum.data(), plane.data(), scratch);
+  fft.inverse(spectrum.data(), plane);
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       heights[grid.index(i, j)] += plane[period.index(i % period.nx, j % period.ny)];

@@ -20,26 +20,10 @@ namespace
 // N < 2^11 here.
 constexpr double rounding = 50.0 * std::numeric_limits<double>::epsilon();
 
-AlignedVector<Complex> forward(const PaddedFft& fft, const std::vector<double>& field)
-{
-  AlignedVector<Complex> spectrum(fft.plane());
-  PaddedFft::Scratch scratch = fft.make_scratch();
-  fft.forward(field.data(), spectrum.data(), scratch);
-  return spectrum;
-}
-
-AlignedVector<Complex> forward_padded(const PaddedFft& fft, AlignedVector<double> field)
-{
-  AlignedVector<Complex> spectrum(fft.plane());
-  fft.forward_padded(field, spectrum.data());
-  return spectrum;
-}
-
-std::vector<double> inverse(const PaddedFft& fft, AlignedVector<Complex> spectrum)
+std::vector<double> inverse(const PaddedFft& fft, const AlignedVector<Complex>& spectrum)
 {
   std::vector<double> field(fft.grid().size());
-  PaddedFft::Scratch scratch = fft.make_scratch();
-  fft.inverse(spectrum.data(), field.data(), scratch);
+  fft.inverse(spectrum.data(), field);
   return field;
 }
 
@@ -86,7 +70,7 @@ TEST_P(PaddedFftTest, InverseOfForwardIsTheField)
 {
   const PaddedFft fft(GetParam());
   const std::vector<double> field = test::random_field(GetParam().size(), 1);
-  const std::vector<double> back = inverse(fft, forward(fft, field));
+  const std::vector<double> back = inverse(fft, fft.forward(field));
   for (std::size_t i = 0; i < field.size(); ++i)
     EXPECT_NEAR(back[i], field[i], rounding);
 }
@@ -107,8 +91,8 @@ TEST_P(PaddedFftTest, ProductOfSpectraIsTheDirectSum)
       wrapped[static_cast<std::size_t>((dj + py) % py * px + (di + px) % px)] = kernel_at(di, dj);
 
   const std::vector<double> field = test::random_field(grid.size(), 3);
-  const AlignedVector<Complex> a = forward_padded(fft, wrapped);
-  AlignedVector<Complex> b = forward(fft, field);
+  const AlignedVector<Complex> a = fft.forward_padded(wrapped);
+  AlignedVector<Complex> b = fft.forward(field);
   for (int k = 0; k < fft.kx() * py; ++k)
     b[static_cast<std::size_t>(k)] *= a[static_cast<std::size_t>(k)];
   const std::vector<double> result = inverse(fft, b);
@@ -134,7 +118,7 @@ TEST_P(PaddedFftTest, PaddedInputIsTheGridWithZeros)
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       padded[static_cast<std::size_t>(i + fft.px() * j)] = field[grid.index(i, j)];
-  const AlignedVector<Complex> a = forward(fft, field), b = forward_padded(fft, padded);
+  const AlignedVector<Complex> a = fft.forward(field), b = fft.forward_padded(padded);
   for (int k = 0; k < fft.kx() * fft.py(); ++k)
     EXPECT_LE(std::abs(a[static_cast<std::size_t>(k)] - b[static_cast<std::size_t>(k)]),
               rounding * static_cast<double>(grid.size()));
@@ -148,7 +132,7 @@ TEST_P(PaddedFftTest, SpectrumOfOneCellIsAWaveOfThoseWavenumbers)
   const int i0 = grid.nx - 1, j0 = grid.ny / 2;
   std::vector<double> field(grid.size(), 0.0);
   field[grid.index(i0, j0)] = 1.0;
-  const AlignedVector<Complex> spectrum = forward(fft, field);
+  const AlignedVector<Complex> spectrum = fft.forward(field);
   for (int j = 0; j < fft.py(); ++j)
     for (int i = 0; i < fft.kx(); ++i)
     {
@@ -177,7 +161,7 @@ TEST(FftPlanTest, OnePlanServesSeveralThreads)
   for (int n = 0; n < fields; ++n)
   {
     const std::vector<double> field = test::random_field(grid.size(), static_cast<unsigned>(n));
-    back[static_cast<std::size_t>(n)] = inverse(fft, forward(fft, field));
+    back[static_cast<std::size_t>(n)] = inverse(fft, fft.forward(field));
   }
   for (int n = 0; n < fields; ++n)
   {
