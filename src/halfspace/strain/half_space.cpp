@@ -88,7 +88,6 @@ HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int la
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
-  buffers.is_mirrored = grid().surface.is_mirrored_y;
   if (with_trace)
     buffers.trace.resize(operators_->trace_fft.block_size() * static_cast<std::size_t>(operators_->trace_fft.blocks()));
   operators_->load_strain(plastic_strain, layers, displacements, buffers, with_trace ? buffers.trace.data() : nullptr);
@@ -118,8 +117,11 @@ void HalfSpace::Loaded::displacement(const SurfaceDisplacement& out) const
   const OfTraction<std::span<double>> parts{out.z, out.x, out.y};
   for (std::size_t t = 0; t < parts.size(); ++t)
     if (!parts[t].empty())
+    {
       op.surface_fft.rows_inverse(buffers_->displacement_rows[t].data(), 0, parts[t].data(),
                                   buffers_->threads.front().fft);
+      op.complete(tractions[t] == Traction::shear_y, parts[t]);
+    }
 }
 
 void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviator) const
@@ -129,7 +131,7 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
   require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.grid.size());
   require_current("HalfSpace::Loaded::stress");
   op.load_surface(load, *buffers_);
-  if (buffers_->is_mirrored)
+  if (op.is_mirrored())
     op.add_load_and_invert_mirrored(load, plastic_strain_, *buffers_, deviator);
   else
     op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
@@ -157,14 +159,17 @@ void HalfSpace::stress_of_load(const SurfaceLoad& load, int layer, Work& work, s
   if (work.empty())
     throw InternalError("HalfSpace::stress_of_load: the work is empty; make_guest makes one");
   Work::Buffers& buffers = *work.buffers_;
-  buffers.is_mirrored = false;
   ++buffers.number;
   op.load_surface(load, buffers);
   const AlignedVector<ComplexLanes> nothing(op.surface_fft.block_size() *
                                             static_cast<std::size_t>(op.surface_fft.blocks()));
   for (int component = 0; component <= TractionStress::trace; ++component)
+  {
+    const std::span<double> field = stress.subspan(static_cast<std::size_t>(component) * cells, cells);
     op.invert_plane(component, layer, op.kernels_of(parts_of(load)), op.surface_fft, nothing.data(), 0, buffers,
-                    buffers.threads.front(), stress.data() + static_cast<std::size_t>(component) * cells);
+                    buffers.threads.front(), field.data());
+    op.complete(component < Deviator::size && is_odd_in_y(component), field);
+  }
 }
 
 void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> plastic_strain, Work& work,
@@ -182,7 +187,6 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   Work::Buffers& buffers = *work.buffers_;
   const BlockedFft& fft = op.trace_fft;
   AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
-  buffers.is_mirrored = false;
   op.load_strain(plastic_strain, computed, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));
@@ -194,6 +198,9 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
     op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers,
                     buffers.threads[static_cast<std::size_t>(omp_get_thread_num())], field);
     op.finish(ImageCorrection::trace, layer, plastic_strain, buffers, field);
+    op.complete(false, trace.subspan(op.field_at(0, layer), grid.surface.size()));
+    for (int c = 0; c < Deviator::size; ++c)
+      op.complete(is_odd_in_y(c), deviator.subspan(op.field_at(c, layer), grid.surface.size()));
   }
 }
 

@@ -25,7 +25,7 @@ int HalfSpace::Operators::prepare_part(const MirroredFft::Part& part, const Mirr
   const double* strain = plastic_strain.data() + field_at(part.component, part.layer);
   const CellRectangle used = used_cells(strain, grid.surface.nx, rows);
   work.used[static_cast<std::size_t>(Deviator::size * part.layer + part.component)] = used;
-  image_correction.find_moments_of_layer(strain, used, part.component, part.layer, work.is_mirrored, work.images);
+  image_correction.find_moments_of_layer(strain, used, part.component, part.layer, work.images);
   return used.is_empty() ? rows : used.first_y;
 }
 
@@ -59,8 +59,8 @@ const ComplexLanes* HalfSpace::Operators::total_stress(int block, const Mirrored
       work.stress.data() + volume_fft.plane_at(block, Deviator::size * part.layer + part.component);
   if (std::all_of(kernels.begin(), kernels.end(), [](const auto* kernel) { return kernel == nullptr; }))
     return column;
-  TractionStress::add(kernels, block, part.component, part.layer, spectrum_rows(work), surface_spectra(block, work),
-                      column, next_block(volume_fft, block, column), sum);
+  TractionStress::add(kernels, block, part.component, part.layer, surface_fft.waves_along_y(),
+                      surface_spectra(block, work), column, next_block(volume_fft, block, column), sum);
   return sum;
 }
 

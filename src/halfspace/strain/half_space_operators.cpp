@@ -30,9 +30,9 @@ int parts_for(int layers)
 
 HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constants, double shortest)
     : grid(volume), elastic(constants),
-      surface_fft(volume.surface.whole(), padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
-      volume_fft(volume.surface.whole(), surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
-      trace_fft(volume.surface.whole(), surface_fft.px(), surface_fft.py(), volume.nz),
+      surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
+      volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
+      trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       eigenstrain_stress(volume, constants, surface_fft, shortest), image_correction(volume, constants, surface_fft)
 {
@@ -76,9 +76,9 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers(boo
   return work;
 }
 
-int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain, bool is_mirrored) const
+int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain) const
 {
-  const int rows = is_mirrored ? grid.surface.independent_rows() : grid.surface.ny;
+  const int rows = grid.surface.independent_rows();
   const auto has_strain = [&](int layer)
   {
     for (int j = rows - 1; j >= 0; --j)
@@ -99,7 +99,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   if (work.strain.size() < static_cast<std::size_t>(work.blocks_at_a_time) * volume_fft.block_size())
     throw InternalError(
         "HalfSpace::load: the buffers of the strain are too small; were they lent to another half space?");
-  const int strained = strained_layers(plastic_strain, work.is_mirrored);
+  const int strained = strained_layers(plastic_strain);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.has_trace = false;
@@ -123,22 +123,21 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     for (int block = 0; block < surface_fft.blocks(); ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
       {
-        ComplexLanes* spectrum = work.surface[t].data() + surface_fft.plane_at(block, 0);
-        if (work.is_mirrored)
-          mirrored_fft.complete(tractions[t] == Traction::shear_y, spectrum);
-        surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft);
+        const ComplexLanes* spectrum = work.surface[t].data() + surface_fft.plane_at(block, 0);
+        surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft,
+                                    tractions[t] == Traction::shear_y);
       }
   };
   in_threads(threads, load);
   if (layers > 0)
-    image_correction.respond(strained, work.images, work.is_mirrored, trace != nullptr);
+    image_correction.respond(strained, work.images, trace != nullptr);
 }
 
 /// Transforms the strain along x, and computes from each plane its used cells and moments. To be called by all threads.
 void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
-  if (work.is_mirrored)
+  if (is_mirrored())
     return transform_strain_mirrored(plastic_strain, layers, work, scratch.mirrored);
 #pragma omp for schedule(static)
   for (int plane = 0; plane < Deviator::size * layers; ++plane)
@@ -151,7 +150,7 @@ void HalfSpace::Operators::transform_strain(std::span<const double> plastic_stra
                                         grid.surface.size()));
     const CellRectangle used = used_cells(strain, grid.surface.nx, grid.surface.ny);
     work.used[static_cast<std::size_t>(plane)] = used;
-    image_correction.find_moments_of_layer(strain, used, component, layer, false, work.images);
+    image_correction.find_moments_of_layer(strain, used, component, layer, work.images);
     volume_fft.rows_forward(strain, plane, work.rows(volume_fft.rows_size()), scratch.fft);
   }
 }
@@ -214,7 +213,7 @@ void HalfSpace::Operators::process_waves(int block, int strained, const OfTracti
   for (int first = rows * team.rank / team.count; first < end; first += SpectrumRows::most)
   {
     const SpectrumRows own{first, std::min(SpectrumRows::most, end - first)};
-    for (const SpectrumRows& tile : {own, work.is_mirrored ? SpectrumRows{} : mirrored(own)})
+    for (const SpectrumRows& tile : {own, is_mirrored() ? SpectrumRows{} : mirrored(own)})
     {
       if (work.layers > 0)
         eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
@@ -228,11 +227,10 @@ void HalfSpace::Operators::transform_layers(int block, int layers, const OfTract
                                             const Team& team, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
-  const bool is_mirrored = work.is_mirrored;
   ComplexLanes* const spectrum = strain_of(block, work);
   for (int part = team.rank; part < parts_for(layers); part += team.count) // the same assignment as along x
   {
-    if (is_mirrored)
+    if (is_mirrored())
       mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, spectrum,
                                    volume_fft.pitch(), scratch.mirrored);
     ComplexLanes* sums = displacement_part(block, part, work);
@@ -240,11 +238,11 @@ void HalfSpace::Operators::transform_layers(int block, int layers, const OfTract
     for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
     {
       ComplexLanes* strain = spectrum + volume_fft.plane_at(0, Deviator::size * layer);
-      for (int component = 0; component < Deviator::size && !is_mirrored; ++component)
+      for (int component = 0; component < Deviator::size && !is_mirrored(); ++component)
         volume_fft.columns_forward(work.rows(volume_fft.rows_size()), block, Deviator::size * layer + component,
                                    strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
-        kernels[t]->add_displacement(block, layer, spectrum_rows(work), strain,
+        kernels[t]->add_displacement(block, layer, surface_fft.waves_along_y(), strain,
                                      sums + static_cast<std::ptrdiff_t>(t) * surface_fft.pitch());
     }
   }
@@ -277,7 +275,7 @@ void HalfSpace::Operators::load_surface(const SurfaceLoad& load, Work::Buffers& 
     surface_fft.rows_forward(part.data(), 0, scratch.rows.data(), scratch.fft);
     for (int block = 0; block < surface_fft.blocks(); ++block)
       surface_fft.columns_forward(scratch.rows.data(), block, 0, spectrum.data() + surface_fft.plane_at(block, 0),
-                                  scratch.fft);
+                                  scratch.fft, traction == Traction::shear_y);
   }
 }
 
@@ -320,18 +318,12 @@ void HalfSpace::Operators::invert_plane(int component, int layer, const OfTracti
     ComplexLanes* sum = scratch.fft.column.data();
     if (is_loaded)
     {
-      TractionStress::add(kernels, block, component, layer, spectrum_rows(work), surface_spectra(block, work), column,
-                          next_block(fft, block, column), sum);
+      TractionStress::add(kernels, block, component, layer, surface_fft.waves_along_y(), surface_spectra(block, work),
+                          column, next_block(fft, block, column), sum);
       column = sum;
     }
-    if (work.is_mirrored)
-    {
-      if (!is_loaded)
-        std::copy_n(column, spectrum_rows(work), sum);
-      mirrored_fft.complete(component < Deviator::size && is_odd_in_y(component), sum);
-      column = sum;
-    }
-    surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft);
+    surface_fft.columns_inverse(column, block, 0, scratch.rows.data(), scratch.fft,
+                                component < Deviator::size && is_odd_in_y(component));
   }
   surface_fft.rows_inverse(scratch.rows.data(), 0, field, scratch.fft);
 }
@@ -361,7 +353,7 @@ void HalfSpace::Operators::finish(int component, int layer, std::span<const doub
   for (int c = 0; c < Deviator::size; ++c)
     strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer) + begin;
   eigenstrain_stress.add_local(component, strain, grid.surface.index(0, rows.end_y) - begin, field + begin);
-  image_correction.subtract(work.images, component, layer, work.is_mirrored, field);
+  image_correction.subtract(work.images, component, layer, field);
 }
 
 } // namespace brinell::halfspace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "eigenstrain_stress.hpp"
 #include "halfspace/traction/traction_stress.hpp"
@@ -54,7 +55,6 @@ struct HalfSpace::Work::Buffers
   AlignedVector<ComplexLanes> trace; ///< spectra of the trace of the stress, if they have been asked for
   ImageCorrection::Response images;
   std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
-  bool is_mirrored = false;                            ///< whether the strain loaded is that of one side
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
   long number = 0;                                     ///< of the strain loaded
@@ -74,7 +74,7 @@ struct HalfSpace::Operators
   VolumeGrid grid;
   Elastic elastic;
   BlockedFft surface_fft; ///< of one plane
-  BlockedFft volume_fft;  ///< of a deviator field
+  BlockedFft volume_fft;  ///< of a deviator field; on a mirrored grid `mirrored_fft` takes its place
   BlockedFft trace_fft;   ///< of a scalar field
   MirroredFft mirrored_fft;
   EigenstrainStress eigenstrain_stress;
@@ -106,13 +106,20 @@ struct HalfSpace::Operators
                     double* field) const;
   void finish(int component, int layer, std::span<const double> plastic_strain, const Work::Buffers& work,
               double* field) const;
+  [[nodiscard]] bool is_mirrored() const { return grid.surface.is_mirrored_y; }
+  /// Writes the other rows of a field whose independent rows are known.
+  void complete(bool is_odd, std::span<double> field) const
+  {
+    if (is_mirrored())
+      complete_in_y(grid.surface, is_odd ? -1.0 : 1.0, field.data(), field.size());
+  }
   /// Position of one component in one layer of a field.
   [[nodiscard]] std::size_t field_at(int component, int layer) const
   {
     return static_cast<std::size_t>(component * grid.nz + layer) * grid.surface.size();
   }
   /// Number of layers from the surface down to the deepest one with plastic strain.
-  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain, bool is_mirrored) const;
+  [[nodiscard]] int strained_layers(std::span<const double> plastic_strain) const;
 
 private:
   void transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
@@ -150,11 +157,6 @@ private:
                                                  const Work::Buffers& work, ComplexLanes* sum) const;
   /// Spectra of the traction in one block.
   [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
-  /// Number of rows of a spectrum that are computed: of mirror images those of the wavenumbers ky >= 0.
-  [[nodiscard]] int spectrum_rows(const Work::Buffers& work) const
-  {
-    return work.is_mirrored ? volume_fft.py() / 2 + 1 : volume_fft.py();
-  }
   void sum_displacement(int block, const SpectrumRows& rows, int parts,
                         const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;
   struct Kernels

@@ -165,16 +165,17 @@ ImageCorrection::Response ImageCorrection::make_response() const
           coupling_.make_work(), crosswise_ ? crosswise_->make_response() : CrosswiseImages::Response{}};
 }
 
-void ImageCorrection::respond(int layers, Response& response, bool is_mirrored, bool with_trace) const
+void ImageCorrection::respond(int layers, Response& response, bool with_trace) const
 {
   if (!has_images_)
     return;
-  const auto images_beside = [&] { crosswise_->respond(layers, response.crosswise, is_mirrored, with_trace); };
+  const auto images_beside = [&]
+  { crosswise_->respond(layers, response.crosswise, grid_.surface.is_mirrored_y, with_trace); };
   const auto other_images = [&]
   {
     find_moments(layers, response);
-    coupling_.multiply(response.moments.data(), is_mirrored, with_trace ? stresses : strains, response.work,
-                       response.stress.data());
+    coupling_.multiply(response.moments.data(), grid_.surface.is_mirrored_y, with_trace ? stresses : strains,
+                       response.work, response.stress.data());
   };
   if (crosswise_ && omp_get_max_threads() > 1)
   {

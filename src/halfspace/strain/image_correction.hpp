@@ -46,16 +46,14 @@ public:
   /// Computes the moments of one component of the strain in one layer, given on the grid. To be called layer by layer, while the
   /// layer is in the cache for other work.
   /// @param used      the cells that are read; the strain is zero in the others
-  /// @param is_mirrored  whether the fields are mirror images about y = 0, here and below: then only the independent rows of a
-  ///                     grid that says so are read and written
   void find_moments_of_layer(const double* strain, const CellRectangle& used, int component, int layer,
-                             bool is_mirrored, Response& response) const;
+                             Response& response) const;
   /// Response to the traceless strain whose moments in the layers [0, layers) have been computed; beneath, the strain is zero.
   /// @param with_trace  whether the trace of the stress is needed, too, which adds a sixth of the products
-  void respond(int layers, Response& response, bool is_mirrored, bool with_trace) const;
+  void respond(int layers, Response& response, bool with_trace) const;
   static constexpr int trace = Deviator::size; ///< component index of the trace of the stress, after those of Deviator
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
-  void subtract(const Response& response, int component, int layer, bool is_mirrored, double* stress) const;
+  void subtract(const Response& response, int component, int layer, double* stress) const;
 
 private:
   static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
@@ -64,14 +62,14 @@ private:
 
   void fit(const Elastic& elastic, double period_x, double period_y);
   void find_moments(int layers, Response& response) const;
-  /// Powers of y in the moments of a field, by its symmetry.
+  /// Powers of y in the moments of a field.
   enum class PowersOfY
   {
     all,
     even,
     odd
   };
-  [[nodiscard]] static PowersOfY powers_of_y(int component, bool is_mirrored);
+  [[nodiscard]] PowersOfY powers_of_y(int component) const;
   template <PowersOfY has>
   void sum_powers(const double* strain, const CellRectangle& cells, int component, int layer, Response& response) const;
   template <PowersOfY has>

@@ -19,19 +19,19 @@ void subtract_lanes(const Lanes& value, std::size_t used, double* from)
 
 } // namespace
 
-ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component, bool is_mirrored)
+ImageCorrection::PowersOfY ImageCorrection::powers_of_y(int component) const
 {
-  if (!is_mirrored)
+  if (!grid_.surface.is_mirrored_y)
     return PowersOfY::all;
   return is_odd_in_y(component) ? PowersOfY::odd : PowersOfY::even;
 }
 
 void ImageCorrection::find_moments_of_layer(const double* strain, const CellRectangle& used, int component, int layer,
-                                            bool is_mirrored, Response& response) const
+                                            Response& response) const
 {
   if (!has_images_)
     return;
-  switch (powers_of_y(component, is_mirrored))
+  switch (powers_of_y(component))
   {
   case PowersOfY::all:
     return sum_powers<PowersOfY::all>(strain, used, component, layer, response);
@@ -99,7 +99,7 @@ void ImageCorrection::sum_powers(const double* strain, const CellRectangle& cell
 CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY has) const
 {
   const SurfaceGrid& s = grid_.surface;
-  const int rows = has == PowersOfY::all ? s.ny : s.independent_rows();
+  const int rows = s.independent_rows();
   CrosswiseImages::Columns sums(s.ny, CrosswiseImages::powers);
   assign_transposed_product({field, s.nx, rows}, {x_, s.nx, CrosswiseImages::powers}, sums);
   for (int power = 0; power < CrosswiseImages::powers; ++power)
@@ -108,12 +108,11 @@ CrosswiseImages::Columns ImageCorrection::along_y(const double* field, PowersOfY
   return sums;
 }
 
-void ImageCorrection::subtract(const Response& response, int component, int layer, bool is_mirrored,
-                               double* stress) const
+void ImageCorrection::subtract(const Response& response, int component, int layer, double* stress) const
 {
   if (!has_images_)
     return;
-  switch (powers_of_y(component, is_mirrored))
+  switch (powers_of_y(component))
   {
   case PowersOfY::all:
     return subtract_powers<PowersOfY::all>(response, component, layer, stress);
@@ -135,7 +134,7 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
     along_x = crosswise_->amplitudes(response.crosswise, component, layer);
   else if (crosswise_)
   {
-    const int rows = has == PowersOfY::all ? s.ny : s.independent_rows();
+    const int rows = s.independent_rows();
     subtract_product({x_, s.nx, CrosswiseImages::powers},
                      {crosswise_->stress(response.crosswise, component, layer), rows, CrosswiseImages::powers}, stress);
   }

@@ -146,13 +146,11 @@ void MirroredFft::join(const ComplexLanes* even, const ComplexLanes* odd, Comple
   }
 }
 
-void MirroredFft::complete(bool is_odd, ComplexLanes* spectrum) const
+/// The spectrum of an even field at its wavenumbers < 0 along y, from those >= 0.
+void MirroredFft::complete_even(ComplexLanes* spectrum) const
 {
   for (int n = 1; 2 * n < py(); ++n)
-  {
-    const Complex& phase = phase_[static_cast<std::size_t>(n)];
-    spectrum[py() - n] = times(is_odd ? -phase : phase, spectrum[n]);
-  }
+    spectrum[py() - n] = times(phase_[static_cast<std::size_t>(n)], spectrum[n]);
 }
 
 void MirroredFft::rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
@@ -232,7 +230,7 @@ void MirroredFft::columns_inverse(const Plane& parts, const ComplexLanes* first,
     if (part == nullptr)
       break;
     std::copy_n(part, py() / 2 + 1, scratch.spectrum.data());
-    complete(false, scratch.spectrum.data());
+    complete_even(scratch.spectrum.data());
     columns_.inverse(scratch.spectrum.data(), out, half_, scratch.column_work.data());
     out += half_;
   }

@@ -81,9 +81,6 @@ public:
   /// Inverse along x: from the rows in the scratch to the independent rows of the parts.
   void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const;
 
-  /// The spectrum of one even or odd field at its wavenumbers < 0 along y, from those >= 0.
-  void complete(bool is_odd, ComplexLanes* spectrum) const;
-
 private:
   [[nodiscard]] int py() const { return columns_.length(); }
   [[nodiscard]] int rows() const
@@ -92,6 +89,7 @@ private:
   } ///< of a plane: even, so that half of them are the independent ones
   [[nodiscard]] RowFft::Spectra layout(int planes) const;
   [[nodiscard]] std::ptrdiff_t field_at(const Part& part) const;
+  void complete_even(ComplexLanes* spectrum) const;
   void pack(const double* even, const double* odd, int first_row, double* plane) const;
   void pack_shared(const Plane& parts, const double* deviators, const std::array<int, 2>& first_rows,
                    double* plane) const;
