@@ -322,10 +322,10 @@ void PaddedFft::inverse(std::span<const Spectrum> spectra, const std::vector<boo
   pool_->release(std::move(work));
 }
 
-void PaddedFft::inverse(const Complex* spectrum, std::span<double> field) const
+void PaddedFft::inverse(const Complex* spectrum, std::span<double> field, bool is_odd) const
 {
   const Spectrum one{spectrum, kx()};
-  inverse({&one, 1}, {false}, false, {field});
+  inverse({&one, 1}, {is_odd}, false, {field});
 }
 
 } // namespace brinell

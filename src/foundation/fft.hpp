@@ -78,8 +78,8 @@ public:
   {
     inverse(spectra, is_odd, adds, fields, whole());
   }
-  /// One field, even on a mirrored grid.
-  void inverse(const Complex* spectrum, std::span<double> field) const;
+  /// One field.
+  void inverse(const Complex* spectrum, std::span<double> field, bool is_odd = false) const;
 
   /// All rows of the spectrum of an even field from those that are stored.
   void complete(const Complex* stored, Complex* all) const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/elastoplastic/sliding.hpp"
 
+#include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/embedding.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
@@ -44,6 +46,18 @@ std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> she
   return result;
 }
 
+/// Displacement along z or x by a load of pressure and shear along x; on a mirrored grid one side of the fields, which are even,
+/// and then the other.
+void displace(const halfspace::TractionCompliance& compliance, const halfspace::SurfaceLoad& load,
+              const halfspace::SurfaceDisplacement& out)
+{
+  compliance.apply(load, out);
+  const SurfaceGrid& grid = compliance.grid();
+  for (const std::span<double>& field : {out.z, out.x})
+    if (grid.is_mirrored_y && !field.empty())
+      complete_in_y(grid, 1.0, field.data(), field.size());
+}
+
 /// to + factor * field.
 void add(double factor, std::span<const double> field, std::span<double> to)
 {
@@ -55,9 +69,8 @@ void add(double factor, std::span<const double> field, std::span<double> to)
 
 SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper,
                                    const Friction& friction, int direction, double reference)
-    : Interface(friction), pair_(grid.whole(), lower, upper, reference),
-      unit_(grid.whole(), unit_body, rigid_body, reference), direction_(direction),
-      lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
+    : Interface(friction), pair_(grid, lower, upper, reference), unit_(grid, unit_body, rigid_body, reference),
+      direction_(direction), lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
       limit_(grid.size(), std::numeric_limits<double>::infinity())
 {
   // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
@@ -68,7 +81,7 @@ SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower
   else if (upper.is_rigid())
     lower_share_ = 1.0;
   else if (!lower.is_rigid())
-    lower_alone_.emplace(grid.whole(), lower, rigid_body, reference);
+    lower_alone_.emplace(grid, lower, rigid_body, reference);
   assign_fields(state_, grid.size());
   for (std::vector<double>* field : {&work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);
@@ -134,7 +147,7 @@ SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pre
   if (!moves_gap())
     return change;
   const std::vector<double> before = state_.depth;
-  unit_.apply({.shear_x = state_.shear}, {.z = state_.depth});
+  displace(unit_, {.shear_x = state_.shear}, {.z = state_.depth});
   const double weight = std::abs(lower_weight_ - upper_weight_);
   for (std::size_t i = 0; i < before.size(); ++i)
     change.gap = larger(change.gap, weight * std::abs(state_.depth[i] - before[i]));
@@ -153,16 +166,16 @@ void SlidingInterface::find_displacements(const Bodies& bodies)
 {
   const SurfaceGrid& grid = pair_.grid();
   std::vector<double> unit_displacement(grid.size());
-  unit_.apply({.pressure = bodies.pressure}, {.x = unit_displacement});
-  unit_.apply({.shear_x = state_.shear}, {.z = state_.depth});
-  pair_.apply({.shear_x = state_.shear}, {.x = state_.slip});
+  displace(unit_, {.pressure = bodies.pressure}, {.x = unit_displacement});
+  displace(unit_, {.shear_x = state_.shear}, {.z = state_.depth});
+  displace(pair_, {.shear_x = state_.shear}, {.x = state_.slip});
   std::vector<double> lower(bodies.lower_x.begin(), bodies.lower_x.end());
   std::vector<double> upper(bodies.upper_x.begin(), bodies.upper_x.end());
   add(lower_weight_, unit_displacement, lower);
   add(upper_weight_, unit_displacement, upper);
   std::vector<double> lower_by_shear = state_.slip;
   if (lower_alone_)
-    lower_alone_->apply({.shear_x = state_.shear}, {.x = lower_by_shear});
+    displace(*lower_alone_, {.shear_x = state_.shear}, {.x = lower_by_shear});
   else
     std::for_each(lower_by_shear.begin(), lower_by_shear.end(), [this](double& u) { u *= lower_share_; });
   add(1.0, lower_by_shear, lower);
@@ -231,7 +244,7 @@ double SlidingInterface::elastic_energy(std::span<const double> pressure) const
   std::vector<double> along(state_.shear.size());
   pair_.apply({.shear_x = state_.shear}, {.x = along});
   const double coupling = (lower_weight_ - upper_weight_) * dot(pressure, state_.depth);
-  return (coupling + 0.5 * dot(state_.shear, along)) * pair_.grid().cell_area();
+  return (coupling + 0.5 * dot(pair_.grid(), state_.shear, along)) * pair_.grid().cell_area();
 }
 
 double SlidingInterface::force() const

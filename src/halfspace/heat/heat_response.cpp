@@ -50,7 +50,7 @@ struct HeatResponse::Operator
   AlignedVector<Complex> spectrum;
 
   Operator(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion)
-      : fft(grid.whole()), spectrum(fft.forward_padded(tabulate(thermal, motion)))
+      : fft(grid), spectrum(fft.forward_padded(tabulate(thermal, motion)))
   {
   }
 
@@ -104,6 +104,7 @@ HeatResponse::HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, cons
     throw InputError(fmt::format("HeatResponse: a duration of {} s at {} and {} m/s; allowed: a duration above 0 and "
                                  "finite velocities",
                                  motion.duration, motion.velocity_x, motion.velocity_y));
+  require_along_x("HeatResponse", grid, motion);
   const bool stays =
       (grid.is_periodic_x() || motion.velocity_x == 0.0) && (grid.is_periodic_y() || motion.velocity_y == 0.0);
   if (std::isinf(motion.duration) && (grid.is_periodic_x() || grid.is_periodic_y()) && stays)

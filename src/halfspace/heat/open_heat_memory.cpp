@@ -2,6 +2,7 @@
 #include "open_heat_memory.hpp"
 
 #include "foundation/require_size.hpp"
+#include "require_thermal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -242,9 +243,7 @@ void OpenHeatMemory::add_step(const char* function_name, std::span<const double>
 {
   require_size(fmt::format("{}: the flux", function_name).c_str(), flux, grid().size());
   require_step(function_name, motion.duration);
-  if (grid().is_mirrored_y && motion.velocity_y != 0.0)
-    throw InputError(fmt::format("{}: a flux that is symmetric in y moves along y at {} m/s; allowed: along x only",
-                                 function_name, motion.velocity_y));
+  require_along_x(function_name, grid(), motion);
   std::size_t lattice = 0;
   if (before != nullptr)
   {

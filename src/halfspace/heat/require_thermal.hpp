@@ -2,7 +2,9 @@
 #pragma once
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/grid.hpp"
 #include "brinell/green/thermal.hpp"
+#include "brinell/halfspace/heat_response.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -22,6 +24,14 @@ inline void require_thermal(const char* function_name, const Thermal& thermal)
   require("conductivity", thermal.conductivity);
   require("density", thermal.density);
   require("specific_heat", thermal.specific_heat);
+}
+
+/// @throws InputError if a flux whose sides of y = 0 are mirror images moves along y
+inline void require_along_x(const char* function_name, const SurfaceGrid& grid, const HeatMotion& motion)
+{
+  if (grid.is_mirrored_y && motion.velocity_y != 0.0)
+    throw InputError(fmt::format("{}: a flux that is symmetric in y moves along y at {} m/s; allowed: along x only",
+                                 function_name, motion.velocity_y));
 }
 
 } // namespace brinell::halfspace

@@ -76,11 +76,11 @@ struct SteadyField::State
         : fft(given), flux(given.forward(field)), product(given.plane())
     {
     }
-    void operator()(const AlignedVector<Complex>& spectrum, std::span<double> out)
+    void operator()(const AlignedVector<Complex>& spectrum, std::span<double> out, bool is_odd = false)
     {
       for (std::size_t i = 0; i < flux.size(); ++i)
         product[i] = flux[i] * spectrum[i];
-      fft.inverse(product.data(), out);
+      fft.inverse(product.data(), out, is_odd);
     }
   };
 };
@@ -90,8 +90,8 @@ SteadyField::SteadyField(const SurfaceGrid& grid, const Thermal& thermal, const 
 {
   require_steady("SteadyField", grid, thermal, motion);
   require_depths(depths, thermal, elastic);
-  state_ = make_hidden<State>(std::move(depths), PaddedFft(grid.whole()),
-                              SteadyLattices(grid, thermal, motion.velocity), thermal, elastic, motion);
+  state_ = make_hidden<State>(std::move(depths), PaddedFft(grid), SteadyLattices(grid, thermal, motion.velocity),
+                              thermal, elastic, motion);
   State& state = *state_;
   if (motion.velocity != 0.0 || motion.reference)
     state.of_displacement =
@@ -140,7 +140,8 @@ void SteadyField::layers(std::span<const double> flux, std::size_t first, std::s
     if (!layer.trace.empty())
       convolve(spectrum[1], layer.trace);
     for (std::size_t c = 0; c < Deviator::size && !layer.deviator.empty(); ++c)
-      convolve(spectrum[2 + static_cast<std::ptrdiff_t>(c)], layer.deviator.subspan(c * cells, cells));
+      convolve(spectrum[2 + static_cast<std::ptrdiff_t>(c)], layer.deviator.subspan(c * cells, cells),
+               is_odd_in_y(static_cast<int>(c)));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "brinell/halfspace/thermal_field.hpp"
 #include "foundation/require_size.hpp"
 #include "halfspace/transform/require_surface.hpp"
+#include "require_thermal.hpp"
 #include "steady_displacement.hpp"
 
 #include <array>
@@ -27,6 +28,7 @@ std::size_t parts_of(Displacements components)
 OfCell displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
                             const HeatMotion& motion, Displacements components)
 {
+  require_along_x("ThermalResponse", grid, motion);
   SurfaceGrid offsets = grid;
   offsets.nx = grid.is_periodic_x() ? grid.nx : 2 * grid.nx - 1;
   offsets.ny = grid.is_periodic_y() ? grid.ny : 2 * grid.ny - 1;
@@ -63,7 +65,7 @@ struct ThermalResponse::Operator
   PaddedFft fft;
   std::array<AlignedVector<Complex>, 3> spectra; ///< of the displacements along z, x and y; empty: not prepared
 
-  Operator(const SurfaceGrid& grid, const OfCell& displacement) : fft(grid.whole())
+  Operator(const SurfaceGrid& grid, const OfCell& displacement) : fft(grid)
   {
     for (std::size_t part = 0; part < spectra.size(); ++part)
       if (!displacement[part].empty())
@@ -114,7 +116,7 @@ void ThermalResponse::apply(std::span<const double> flux, const SurfaceDisplacem
       throw InternalError("ThermalResponse::apply: a component of the displacement that is not prepared");
     for (std::size_t i = 0; i < response.size(); ++i)
       scratch->spectrum[i] = scratch->flux[i] * response[i];
-    operator_->fft.inverse(scratch->spectrum.data(), out[part]);
+    operator_->fft.inverse(scratch->spectrum.data(), out[part], part == 2);
   }
 }
 
