@@ -175,8 +175,9 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
     beta = 0.0;
   const double mean = share * (slopes.correction + beta * slopes.before);
   for_pieces(cells(),
-             [&](std::size_t first, std::size_t last)
+             [p, g, d, correction, beta, mean](std::size_t first, std::size_t last)
              {
+#pragma omp simd
                for (std::size_t i = first; i < last; ++i)
                  d[i] = is_free(p[i], g[i]) ? correction[i] + beta * d[i] - mean : 0.0;
              });

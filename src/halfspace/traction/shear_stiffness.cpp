@@ -59,16 +59,22 @@ ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& large
 void ShearStiffness::apply(const std::array<std::span<const double>, 2>& displacement,
                            const std::array<std::span<double>, 2>& shear, Scratch& scratch, double added) const
 {
-  const auto product = [&](int block, int row, const Product::Values& u)
+  const auto product_of_row =
+      [added, py = product_.fft().py()](const auto& stiffness, int row, const Product::Values& u)
   {
-    const auto& [xx, yy, xy] = stiffness_.at(block, row);
+    const auto& [xx, yy, xy] = stiffness[row];
     const Lanes determinant = xx * yy - xy * xy;
     const Lanes share = 1.0 / (1.0 + added * (xx + yy + added * determinant));
-    const Lanes across = row > product_.fft().py() / 2 ? -share * xy : share * xy; // odd along both axes
+    const Lanes across = row > py / 2 ? -share * xy : share * xy; // odd along both axes
     return Product::Values{share * (xx + added * determinant) * u[0] + across * u[1],
                            across * u[0] + share * (yy + added * determinant) * u[1]};
   };
-  product_.apply(displacement, shear, scratch, product);
+  product_.apply(displacement, shear, scratch,
+                 [&](int block)
+                 {
+                   return [&product_of_row, stiffness = stiffness_.of_block(block)](int row, const Product::Values& u)
+                   { return product_of_row(stiffness, row, u); };
+                 });
 }
 
 } // namespace brinell::halfspace

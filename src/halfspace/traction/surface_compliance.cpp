@@ -93,8 +93,11 @@ struct EvenProduct
   void apply(std::span<const double> in, std::span<double> out, WaveProduct<1>::Scratch& scratch) const
   {
     waves.apply({in}, {out}, scratch,
-                [this](int block, int row, const WaveProduct<1>::Values& values) -> WaveProduct<1>::Values
-                { return {factors.at(block, row) * values[0]}; });
+                [this](int block)
+                {
+                  return [factor = factors.of_block(block)](int row, const WaveProduct<1>::Values& values)
+                  { return WaveProduct<1>::Values{factor[row] * values[0]}; };
+                });
   }
 };
 

@@ -93,9 +93,8 @@ struct TractionCompliance::Operator
       }
   }
 
-  [[nodiscard]] Triple displaced(int block, int row, const Triple& load) const
+  [[nodiscard]] Triple displaced(const Terms& term, int row, const Triple& load) const
   {
-    const Terms& term = terms.at(block, row);
     const auto& [pressure, shear_x, shear_y] = load;
     const auto times = [&](std::size_t t, double factor, const ComplexLanes& value)
     { return (factor * term[t]) * parities[t].phased(row, product.fft().py(), value); };
@@ -164,8 +163,11 @@ void TractionCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacemen
   require_displacement("TractionCompliance::apply", displacement, grid().size());
   if (!operator_->product.fits(scratch->tractions))
     throw InternalError("TractionCompliance::apply: the scratch is of another operator; make_scratch makes one");
-  const auto product = [&](int block, int row, const Triple& tractions)
-  { return operator_->displaced(block, row, tractions); };
+  const auto product = [&](int block)
+  {
+    return [&, terms = operator_->terms.of_block(block)](int row, const Triple& tractions)
+    { return operator_->displaced(terms[row], row, tractions); };
+  };
   operator_->product.apply({load.pressure, load.shear_x, load.shear_y},
                            {displacement.z, displacement.x, displacement.y}, scratch->tractions, product);
 }

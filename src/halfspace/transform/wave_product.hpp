@@ -25,11 +25,15 @@ public:
   {
   }
   [[nodiscard]] int rows() const { return rows_; }
-  /// @param row  wavenumber index along y, wrapped
-  [[nodiscard]] const Value& at(int block, int row) const
+  /// The values of one block.
+  struct OfBlock
   {
-    return values_[place(block, row > py_ / 2 ? py_ - row : row)];
-  }
+    const Value* values;
+    int py;
+    /// @param row  wavenumber index along y, wrapped
+    const Value& operator[](int row) const { return values[row > py / 2 ? py - row : row]; }
+  };
+  [[nodiscard]] OfBlock of_block(int block) const { return {values_.data() + place(block, 0), py_}; }
   /// The value that holds a column in its lane column % lane_count.
   [[nodiscard]] Value& of_column(int row, int column) { return values_[place(column / lane_count, row)]; }
 
@@ -84,7 +88,8 @@ public:
   [[nodiscard]] bool fits(const Scratch& scratch) const { return scratch.rows[0].size() >= fft_.rows_size(); }
 
   /// `in` and `out` may be the same fields.
-  /// @param product  function (block, row, values) that returns the products at neighbouring wavenumbers
+  /// @param product  function (block) that returns a function (row, values), which returns the products at neighbouring
+  ///                 wavenumbers
   template <typename Product>
   void apply(const In& in, const Out& out, Scratch& scratch, const Product& product) const
   {
@@ -118,18 +123,27 @@ private:
     for (std::size_t f = 0; f < count; ++f)
       if (!in[f].empty())
         fft_.columns_forward(scratch.rows[f].data(), block, 0, own[f].column.data(), own[f], is_odd_[f]);
-    for (int row = 0; row < fft_.waves_along_y(); ++row)
+    const auto product_of_row = product(block);
+    const int rows = fft_.waves_along_y();
+    if constexpr (count == 1)
     {
-      const auto line = static_cast<std::size_t>(row);
-      Values values;
-      for (std::size_t f = 0; f < count; ++f)
-        if (!in[f].empty())
-          values[f] = own[f].column[line];
-      const Values result = product(block, row, values);
-      for (std::size_t f = 0; f < count; ++f)
-        if (!out[f].empty())
-          own[f].column[line] = result[f];
+      ComplexLanes* column = own[0].column.data(); // a single field is not empty
+      for (int row = 0; row < rows; ++row)
+        column[row] = product_of_row(row, {column[row]})[0];
     }
+    else
+      for (int row = 0; row < rows; ++row)
+      {
+        const auto line = static_cast<std::size_t>(row);
+        Values values;
+        for (std::size_t f = 0; f < count; ++f)
+          if (!in[f].empty())
+            values[f] = own[f].column[line];
+        const Values result = product_of_row(row, values);
+        for (std::size_t f = 0; f < count; ++f)
+          if (!out[f].empty())
+            own[f].column[line] = result[f];
+      }
     for (std::size_t f = 0; f < count; ++f)
       if (!out[f].empty())
         fft_.columns_inverse(own[f].column.data(), block, 0, scratch.rows[f].data(), own[f], is_odd_[f]);
