@@ -7,6 +7,7 @@
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/field_table.hpp"
 #include "brinell/foundation/hidden.hpp"
+#include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
 #include <memory>
