@@ -26,6 +26,7 @@ def test_a_floor_is_touched_with_all_that_may_include_it() -> None:
         "contact",
         "elastoplastic",
         "simulation",
+        "quality",
         "io",
     ]
     assert changes.floors({"include/brinell/green/elastic.hpp"}) == [f for f in changes.FLOORS if f != "foundation"]
