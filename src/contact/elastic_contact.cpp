@@ -88,8 +88,11 @@ void ElasticContact::start(std::span<const double> distance, const Drive& drive,
   if (!touches(pressure))
   {
     const double stiffness = 1.0 / compliance_.largest();
-    if (load_given)
-      pressure[static_cast<std::size_t>(std::min_element(distance.begin(), distance.end()) - distance.begin())] = 1.0;
+    if (load_given) // on the side that is solved: rounding may make its mirror image the first
+    {
+      const std::span<const double> side = distance.first(cells());
+      pressure[static_cast<std::size_t>(std::min_element(side.begin(), side.end()) - side.begin())] = 1.0;
+    }
     else
       for (std::size_t i = 0; i < distance.size(); ++i)
         pressure[i] = std::max(0.0, drive.value - distance[i]) * stiffness;

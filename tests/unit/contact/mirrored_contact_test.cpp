@@ -72,5 +72,19 @@ TEST_P(MirroredContactTest, IsThatOfBothSides)
     }
 }
 
+/// Rounding may make the other side touch first.
+TEST_P(MirroredContactTest, BeginsOnTheSideThatIsSolved)
+{
+  const SurfaceGrid grid = test::mirrored(GetParam());
+  std::vector<double> distance = test::random_field(grid.size(), 1, 0.0, 0.2);
+  complete_in_y(grid, 1.0, distance.data(), distance.size());
+  for (std::size_t i = grid.independent_cells(); i < grid.size(); ++i)
+    distance[i] -= 1e-16;
+  const halfspace::SurfaceCompliance compliance(grid, 1.0, 500.0);
+  ElasticContact contact(compliance);
+  std::vector<double> pressure(grid.size()), gap(grid.size());
+  EXPECT_TRUE(contact.solve(distance, {Drive::Kind::load, 3.0}, 1e-11, 2000, pressure, gap).converged);
+}
+
 } // namespace
 } // namespace brinell::contact::mirrored_contact_test

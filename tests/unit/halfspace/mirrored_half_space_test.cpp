@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                     VolumeGrid{{60, 7, 0.7, 0.9}, 3, 0.4}, // long in x
                     VolumeGrid{{5, 1, 0.7, 0.9}, 3, 0.4}, VolumeGrid{{4, 2, 0.7, 0.9}, 1, 0.4},
                     VolumeGrid{periodic(17, 11, 0.7, 0.9), 4, 0.6}, VolumeGrid{periodic(16, 10, 0.7, 0.9), 5, 0.6},
-                    VolumeGrid{periodic_in_y(12, 9, 0.7, 0.9), 4, 0.6},
+                    VolumeGrid{periodic(8, 8, 1.0, 1.0), 4, 0.5}, VolumeGrid{periodic_in_y(12, 9, 0.7, 0.9), 4, 0.6},
                     VolumeGrid{periodic_in_y(12, 34, 0.7, 0.9), 4, 0.6}, // 2 * 17: no fast length along y
                     VolumeGrid{{12, 9, 0.7, 0.9, Boundary::periodic, Boundary::open}, 4, 0.6}));
 
