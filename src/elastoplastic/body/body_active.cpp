@@ -123,8 +123,7 @@ void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift,
     {
       const int row = static_cast<int>(cell % s.size()) / s.nx;
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
-      b.trial.active.add(cell, q, deviator_at(b.state.plastic_strain, n, cell),
-                         s.copies_of_row(row));
+      b.trial.active.add(cell, q, deviator_at(b.state.plastic_strain, n, cell), s.copies_of_row(row));
     }
 }
 

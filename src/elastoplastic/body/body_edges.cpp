@@ -61,8 +61,7 @@ bool may_yield_below(const BodyParts& b)
     return false; // no layer below the grid yields before the last layer
   const double yield = weakest * constitutive::initial_yield_stress(*b.yield.material.hardening);
   const std::size_t first = last * b.grid.surface.size();
-  for (std::size_t cell = first;
-       cell < first + b.grid.surface.independent_cells(); ++cell)
+  for (std::size_t cell = first; cell < first + b.grid.surface.independent_cells(); ++cell)
     if (von_mises(deviator_at(b.trial.stress, n, cell) - b.centre(cell)) > b.yield.softening_at(cell) * yield - added)
       return true;
   return false;

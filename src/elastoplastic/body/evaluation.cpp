@@ -58,8 +58,7 @@ void add_thermal_stress(const VolumeGrid& grid, std::span<const double> thermal,
 Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
                        const constitutive::Material& material, const BodySettings& settings)
     : grid_(grid), half_space_(std::move(half_space)), is_plastic_(material.is_plastic()),
-      shortcuts_(settings.shortcuts),
-      has_initial_stress_(!material.initial_stress.empty()), layers_(grid.nz)
+      shortcuts_(settings.shortcuts), has_initial_stress_(!material.initial_stress.empty()), layers_(grid.nz)
 {
   for (int layer = 0; layer < grid_.nz; ++layer)
     initial_stress_.push_back(material.initial_stress.at((layer + 0.5) * grid_.dz, 0.0));
