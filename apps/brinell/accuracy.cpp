@@ -212,9 +212,9 @@ private:
     const auto dx = [](const io::ScenarioPlan& any)
     { return std::visit([](const auto& plan) { return plan.contact.dx; }, any); };
     for (;; cells *= less)
-      if (io::ScenarioPlan plan = io::plan_case(io::with_cells(case_, cells));
+      if (const io::ScenarioPlan plan = io::plan_case(io::with_cells(case_, cells));
           done_.empty() || dx(plan) < done_.back().spacing[0])
-        return {cells, std::move(plan)};
+        return {cells, plan};
   }
 
   const io::Case& case_;

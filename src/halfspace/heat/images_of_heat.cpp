@@ -99,7 +99,8 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
   const auto lattice = [&](int px, int py, const DepthWaves& kept, double layers)
   {
     const double rows = grid.is_mirrored_y ? py / 2 + 1 : py;
-    const double blocks = std::ceil(static_cast<double>(px / 2 + 1) / lane_count);
+    const int columns = px / 2 + 1;
+    const double blocks = std::ceil(static_cast<double>(columns) / lane_count);
     return rows * blocks * sizeof(ComplexLanes) *
            (copies * static_cast<double>(kept.waves.size()) + along_surface + of_layers * layers);
   };

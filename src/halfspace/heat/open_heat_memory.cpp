@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace brinell::halfspace
 {
@@ -84,8 +85,9 @@ OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, 
 }
 
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                               const Wanted& wanted, const DepthWaves& waves, const ImagesOfHeat& images)
-    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)), waves_(waves),
+                               const Wanted& wanted, DepthWaves waves, const ImagesOfHeat& images)
+    : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
+      waves_(std::move(waves)),
       near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), layers_)
 {
   plan_images(thermal, wanted, images);

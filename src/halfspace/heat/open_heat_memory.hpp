@@ -67,7 +67,7 @@ private:
   OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times, const Wanted& wanted,
                  const DepthWaves& waves);
   OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times, const Wanted& wanted,
-                 const DepthWaves& waves, const ImagesOfHeat& images);
+                 DepthWaves waves, const ImagesOfHeat& images);
   /// Two lattices whose difference removes the images that the lattice `once` has but the lattice with twice the period has not;
   /// on cells that are as coarse as the distance of these images allows.
   struct Lattices
