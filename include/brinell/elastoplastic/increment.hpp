@@ -100,9 +100,9 @@ public:
   /// The shear between the surfaces; nullptr without friction.
   [[nodiscard]] const Interface* interface() const { return between_->interface.get(); }
   /// The interface of surfaces that slide everywhere; nullptr for others.
-  [[nodiscard]] const SlidingInterface* sliding() const { return dynamic_cast<const SlidingInterface*>(interface()); }
+  [[nodiscard]] const SlidingInterface* sliding() const;
   /// The interface of surfaces that may stick; nullptr for others.
-  [[nodiscard]] const PartialSlip* partial_slip() const { return dynamic_cast<const PartialSlip*>(interface()); }
+  [[nodiscard]] const PartialSlip* partial_slip() const;
   /// The heat of friction in both bodies; nullptr where none is computed.
   [[nodiscard]] const Heating* heating() const { return between_->heating.get(); }
   /// The effects that act between the surfaces.

@@ -31,6 +31,17 @@ Interaction interaction(const ContactParts& c)
   return {c.interface.get(), c.state.pressure, c.slid};
 }
 
+// Not in the header: the type information of what is compiled for several processors stays there.
+const SlidingInterface* CoupledContact::sliding() const
+{
+  return dynamic_cast<const SlidingInterface*>(interface());
+}
+
+const PartialSlip* CoupledContact::partial_slip() const
+{
+  return dynamic_cast<const PartialSlip*>(interface());
+}
+
 const Wear* CoupledContact::wear() const
 {
   const ContactParts& c = *parts_;

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/io/forecast.hpp"
+#include "brinell/io/member_keys.hpp"
 #include "brinell/quality/quality.hpp"
 #include "io/scenarios/scenario_io.hpp"
 #include "result_size.hpp"

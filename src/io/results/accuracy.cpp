@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/accuracy.hpp"
 
+#include "brinell/io/member_keys.hpp"
 #include "brinell/io/versions.hpp"
 #include "io/case/value_text.hpp"
 #include "io/scenarios/scenario_io.hpp"
