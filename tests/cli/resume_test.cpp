@@ -188,6 +188,28 @@ INSTANTIATE_TEST_SUITE_P(Cases, Resume,
                                          "creeping"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
+TEST_F(Stopping, ACheckpointOfAnotherRunIsRefused)
+{
+  const std::string text = scenario_case("rolling") + "[output]\nsnapshots = \"none\"\ncheckpoint_interval = 0\n";
+  write("case.toml", replaced(text, "resolution = 3", "resolution = 4"));
+  EXPECT_EQ(stopped(3, SIGINT), 130);
+  fs::rename(folder() / "stopped", folder() / "other");
+  write("case.toml", text);
+  EXPECT_EQ(stopped(3, SIGINT), 130);
+  fs::rename(folder() / "stopped" / "checkpoint.h5", folder() / "checkpoint.h5");
+  fs::copy_file(folder() / "other" / "checkpoint.h5", folder() / "stopped" / "checkpoint.h5");
+  // Its grids can be taken over, as those of a run whose grids have grown: the result would be that of no case.
+  const Outcome outcome = run({"run", "case.toml", "-q", "-o", "stopped", "--resume"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("checkpoint.h5: is of another case: grid.resolution = 4.0 there, 3.0 here; run without "
+                             "--resume"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder() / "stopped" / "summary.json"));
+  fs::rename(folder() / "checkpoint.h5", folder() / "stopped" / "checkpoint.h5");
+  EXPECT_EQ(run({"run", "case.toml", "-q", "-o", "stopped", "--resume"}).exit_code, 0);
+}
+
 class ResumeEveryScenario : public Stopping, public testing::WithParamInterface<std::string>
 {
 protected:

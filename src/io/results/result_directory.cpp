@@ -74,10 +74,11 @@ std::string program()
 }
 
 /// Writes a checkpoint field by field, so that no copy of the state is kept in memory.
-void write_checkpoint(const fs::path& path, const std::function<void(Archive&)>& state)
+/// @param of_case  the resolved case
+void write_checkpoint(const fs::path& path, const std::string& of_case, const std::function<void(Archive&)>& state)
 {
   constexpr std::size_t around = 1 << 18, around_a_field = 1 << 10; // bytes
-  std::size_t size = around;
+  std::size_t size = around + of_case.size();
   Archive sizes([&](const std::string&, std::span<const double> values)
                 { size += around_a_field + values.size_bytes(); });
   state(sizes);
@@ -85,6 +86,7 @@ void write_checkpoint(const fs::path& path, const std::function<void(Archive&)>&
   replacement.require_room(size);
   h5::Handle file = h5::create_file(replacement.part());
   h5::write_attribute(file, "program", program());
+  h5::write_attribute(file, "case", of_case);
   Archive written([&](const std::string& name, std::span<const double> values)
                   { h5::write_numbers(file, name, values); });
   state(written);
@@ -93,13 +95,17 @@ void write_checkpoint(const fs::path& path, const std::function<void(Archive&)>&
   replacement.commit();
 }
 
-Archive::Fields content_of_checkpoint(const fs::path& path)
+Archive::Fields content_of_checkpoint(const fs::path& path, const std::string& of_case)
 {
   const h5::Handle file = h5::open_file(path);
   if (const std::string written_by = h5::read_text_attribute(file, "program"); written_by != program())
     throw InputError(fmt::format("{}: was written by brinell {}, this is {}; resume with that program, or run without "
                                  "--resume",
                                  path.string(), written_by, program()));
+  // The case of the folder is the same; the file may have come from elsewhere.
+  if (const std::string difference = case_difference(h5::read_text_attribute(file, "case"), of_case);
+      !difference.empty())
+    throw InputError(fmt::format("{}: is of another case: {}; run without --resume", path.string(), difference));
   Archive::Fields fields;
   for (const std::string& name : h5::names(file))
     fields[name] = h5::read_numbers(file, name);
@@ -107,14 +113,14 @@ Archive::Fields content_of_checkpoint(const fs::path& path)
 }
 
 /// Reads a checkpoint. Its seal is checked before HDF5 opens it, because HDF5 does not protect itself against damaged files.
-std::optional<Archive::Fields> read_checkpoint(const fs::path& path)
+std::optional<Archive::Fields> read_checkpoint(const fs::path& path, const std::string& of_case)
 {
   if (!fs::exists(path))
     return std::nullopt;
   require_seal(path, checkpoint_mark);
   try
   {
-    return content_of_checkpoint(path);
+    return content_of_checkpoint(path, of_case);
   }
   catch (const IoError& error)
   {
@@ -139,16 +145,17 @@ std::optional<Archive::Fields> resumable(const fs::path& folder, const Case& c)
     throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
   }
   const std::string text = input_text(folder / "resolved.toml", std::numeric_limits<std::size_t>::max());
-  if (const std::string difference = case_difference(text, resolved_files(c.values).text); !difference.empty())
+  const std::string asked = resolved_files(c.values).text;
+  if (const std::string difference = case_difference(text, asked); !difference.empty())
   {
     if (!is_complete) // first check the program: in another version, keys may have other names
-      static_cast<void>(read_checkpoint(folder / checkpoint_file));
+      static_cast<void>(read_checkpoint(folder / checkpoint_file, text));
     throw InputError(fmt::format("{}: the run {} there is of another case: {}; without --resume it is replaced",
                                  folder.string(), is_complete ? "that is complete" : "that was stopped", difference));
   }
   if (is_complete)
     throw InputError(fmt::format("{}: the run there is complete, there is nothing to resume", folder.string()));
-  return read_checkpoint(folder / checkpoint_file);
+  return read_checkpoint(folder / checkpoint_file, asked);
 }
 
 /// The columns of the history of a scenario.
@@ -164,7 +171,7 @@ struct ResultDirectory::State
 {
   State(const fs::path& folder, const Case& c, StoredParts parts, Mode mode)
       : path(mode == Mode::resume && !fs::exists(folder) ? throw nothing_to_resume(folder) : made_folder(folder)),
-        lock(path), checkpoint(checkpoint_to_resume(path, c, mode)),
+        lock(path), of_case(resolved_files(c.values).text), checkpoint(checkpoint_to_resume(path, c, mode)),
         replaced(!checkpoint && removed_earlier_result(path, mode) && mode == Mode::replace),
         history(path / "history.csv", columns_of(c.scenario), checkpoint ? &*checkpoint : nullptr),
         result(path, c, std::move(parts), history.columns(), checkpoint ? &*checkpoint : nullptr)
@@ -191,7 +198,8 @@ struct ResultDirectory::State
   }
 
   fs::path path;
-  FolderLock lock; // acquired before any file in the folder is changed
+  FolderLock lock;     // acquired before any file in the folder is changed
+  std::string of_case; ///< resolved
   std::optional<Archive::Fields> checkpoint;
   bool replaced;
   HistoryWriter history;
@@ -247,7 +255,7 @@ void ResultDirectory::add_checkpoint(const std::function<void(Archive&)>& state)
       archive("points", *state_->points);
     archive("result", state_->result);
   };
-  write_checkpoint(state_->path / checkpoint_file, with_results);
+  write_checkpoint(state_->path / checkpoint_file, state_->of_case, with_results);
 }
 
 void ResultDirectory::add_final(const simulation::StepFields& final_state, const std::vector<NamedNumber>& last_columns)
