@@ -126,7 +126,8 @@ Documented loading_stiffness(bool is_tip)
   return error;
 }
 
-/// Error of the unloading stiffness: that of loading if the bodies are unloaded completely; otherwise of the parabola over the first two steps of unloading.
+/// Error of the unloading stiffness: that of loading if the bodies are unloaded completely; otherwise of the parabola over the
+/// first two steps of unloading.
 Documented unloading_stiffness(bool is_tip, int steps, bool is_complete)
 {
   Documented error = loading_stiffness(is_tip);

@@ -148,8 +148,8 @@ struct BodyParts
   /// Centre of the yield surface before the increment.
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(trial.active.copies(a)); }
-  /// Calls use(cell, seen) for an active cell and, on a mirrored grid, for its mirror image; the function `seen` converts a deviator of
-  /// the active cell to its value in that cell.
+  /// Calls use(cell, seen) for an active cell and, on a mirrored grid, for its mirror image; the function `seen` converts a
+  /// deviator of the active cell to its value in that cell.
   template <typename Use>
   void with_copies(std::size_t a, const Use& use) const
   {

@@ -35,8 +35,8 @@ public:
   [[nodiscard]] const SurfaceGrid& grid() const;
   /// The compliance of the same bodies on another grid.
   [[nodiscard]] SurfaceCompliance on(const SurfaceGrid& grid) const;
-  /// Displacement [m] by the load; on a mirrored grid only the independent rows are read and written. The operator is symmetric, and positive definite except for a uniform pressure on a surface
-  /// that is periodic along both axes.
+  /// Displacement [m] by the load; on a mirrored grid only the independent rows are read and written. The operator is symmetric,
+  /// and positive definite except for a uniform pressure on a surface that is periodic along both axes.
   void apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const;
   /// Pressure [Pa] that causes approximately this displacement: the inverse of the nearest operator that is periodic on the grid
   /// (T. Chan 1988), symmetric and positive definite; it also maps a uniform displacement of a periodic surface to a uniform

@@ -34,7 +34,8 @@ public:
     return error;
   }
 
-  [[nodiscard]] const std::string& member() const { return member_; } ///< "RollingCase::spin"
+  /// "RollingCase::spin"; empty if none is named.
+  [[nodiscard]] const std::string& member() const { return member_; }
 
 private:
   struct Text
@@ -45,8 +46,10 @@ private:
 
   static std::string first_member(std::string_view text)
   {
-    const auto begin = text.find('`') + 1;
-    return std::string(text.substr(begin, text.find('`', begin) - begin));
+    const auto begin = text.find('`');
+    if (begin == text.npos)
+      return {};
+    return std::string(text.substr(begin + 1, text.find('`', begin + 1) - begin - 1));
   }
 
   std::string member_;

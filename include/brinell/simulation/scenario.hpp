@@ -111,7 +111,7 @@ struct Plan
   double reference = 0.0; ///< reference distance of the displacement with one periodic axis [m]
 };
 
-/// Extent of contact and plastic zone in cells so far, from which the resolution is judged (simulation/quality.hpp).
+/// Extent of contact and plastic zone in cells so far, from which the resolution is judged (quality/quality.hpp).
 struct Coverage
 {
   int contact_columns = 0, contact_rows = 0; ///< largest extent of the contact in one step

@@ -13,8 +13,8 @@
 namespace brinell::halfspace
 {
 
-/// Transforms of deviator fields whose two sides about the plane y = 0 are mirror images (SurfaceGrid::is_mirrored_y): half the work of
-/// BlockedFft, between half of the rows and half of the wavenumbers along y.
+/// Transforms of deviator fields whose two sides about the plane y = 0 are mirror images (SurfaceGrid::is_mirrored_y): half the
+/// work of BlockedFft, between half of the rows and half of the wavenumbers along y.
 ///
 /// The spectrum at -n is w^n times that at n for a field that is even in y, and -w^n times for an odd field, where
 /// w = e^{2 pi i (ny - 1)/py} accounts for the position of the plane y = 0. An even and an odd field are therefore transformed
