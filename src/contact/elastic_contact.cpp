@@ -71,7 +71,7 @@ Drive imposed(const Drive& drive, const SurfaceGrid& grid, std::span<const doubl
 void ElasticContact::guess(std::span<const double> distance, const Drive& drive, double tolerance,
                            std::span<double> pressure, const std::function<bool()>& wants_stop)
 {
-  if (touches(pressure) || !CoarserCells::helps(compliance_.grid()))
+  if (touches(pressure.first(cells())) || !CoarserCells::helps(compliance_.grid()))
     return;
   if (!coarser_)
     coarser_ = std::make_unique<CoarserContact>(compliance_);
@@ -85,7 +85,7 @@ void ElasticContact::start(std::span<const double> distance, const Drive& drive,
   for (double& p : pressure)
     p = std::max(p, 0.0);
   const bool load_given = drive.kind == Drive::Kind::load;
-  if (!touches(pressure))
+  if (!touches(pressure.first(cells())))
   {
     const double stiffness = 1.0 / compliance_.largest();
     if (load_given) // on the side that is solved: rounding may make its mirror image the first
