@@ -214,13 +214,17 @@ void sweep(const std::string& scenario, int count, const Make& make)
 {
   const test::Sweep cases(count);
   Outcome outcome;
+  bool is_due = false; // a comparison; where the cells see too little of a texture the next case takes its place
   for (int seed = 0; seed < count; ++seed)
   {
     if (!cases.has(seed))
       continue;
     SCOPED_TRACE(scenario + " " + std::to_string(seed));
     Draw draw(static_cast<unsigned>(seed));
-    outcome.run(make(draw), seed % 20 == 7 && !slow_build);
+    is_due = is_due || (seed % 20 == 7 && !slow_build);
+    const int before = outcome.compared;
+    outcome.run(make(draw), is_due);
+    is_due = is_due && outcome.compared == before;
   }
   outcome.expect_sound(scenario, cases);
 }

@@ -77,7 +77,9 @@ std::vector<Entry> motion_keys()
       bound({.key = "rolling.shift",
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",
-             .text = "Distance that the contact moves on the lower body per step."},
+             .text =
+                 "Distance that the contact moves on the lower body per step. With creepage a whole number of cells: "
+                 "dx is made to fit it, unless the case gives the cells."},
             &RollingCase::shift),
       bound({.key = "rolling.slide_to_roll",
              .of = kind::number.up_to(-2.0, 2.0),

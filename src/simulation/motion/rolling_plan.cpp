@@ -122,7 +122,8 @@ RollingPlan plan(const RollingCase& rolling)
         fmt::format("a shift of {:g} m in {:g} m; allowed: up to half of the distance", shift, rolling.distance));
   constexpr int even = 2; // so that a step ends at the middle of the track
   const StepsOnWay steps =
-      steps_on_way(rolling, cells, rolling.shift, rolling.distance, even, "`RollingCase::distance`");
+      steps_on_way(rolling, cells, {.shift = rolling.shift, .is_whole = rolling.creepage.has_value()}, rolling.distance,
+                   even, "`RollingCase::distance`");
   plan.shift = steps.shift;
   plan.rolling_steps = steps.count;
   const double track = 0.5 * plan.way();

@@ -49,13 +49,33 @@ void fit_periods(const Domain& domain, bool spacing_given, std::array<double, 3>
   }
 }
 
+/// Whether dx follows from a resolution.
+bool chooses_dx(const Numerics& numerics)
+{
+  return !numerics.spacing && !numerics.domain.x.is_periodic();
+}
+
+/// The least whole number, but for rounding, that is not below a value; at least one.
+double whole_above(double value)
+{
+  constexpr double rounding = 1e-9;
+  return std::max(1.0, std::ceil(value - rounding));
+}
+
 /// Cell sizes with which a way is an even number of cells along x: dx becomes shorter, unless the case gives the cells or a
 /// period determines them. dy and the layers stay.
 std::array<double, 3> fitted_to_way(const Numerics& numerics, std::array<double, 3> cells, double way)
 {
-  constexpr double rounding = 1e-9;
-  if (!numerics.spacing && !numerics.domain.x.is_periodic())
-    cells[0] = way / (2.0 * std::max(1.0, std::ceil(way / (2.0 * cells[0]) - rounding)));
+  if (chooses_dx(numerics))
+    cells[0] = way / (2.0 * whole_above(way / (2.0 * cells[0])));
+  return cells;
+}
+
+/// Cell sizes of which a shift that is not shorter than a cell is a whole number along x, likewise.
+std::array<double, 3> fitted_to_shift(const Numerics& numerics, std::array<double, 3> cells, double shift)
+{
+  if (chooses_dx(numerics) && shift >= cells[0])
+    cells[0] = shift / whole_above(shift / cells[0]);
   return cells;
 }
 
@@ -121,12 +141,13 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
   return spacing;
 }
 
-StepsOnWay steps_on_way(const Numerics& numerics, const std::array<double, 3>& cells, std::optional<double> shift,
+StepsOnWay steps_on_way(const Numerics& numerics, const std::array<double, 3>& cells, const WantedShift& wanted,
                         double way, int multiple, const std::string& key)
 {
+  const std::optional<double>& shift = wanted.shift;
   StepsOnWay on_way{fitted_to_way(numerics, cells, way)};
   if (shift && !whole_cells(*shift, on_way.cells[0]))
-    on_way.cells = cells;
+    on_way.cells = !wanted.is_whole || whole_cells(*shift, cells[0]) ? cells : fitted_to_shift(numerics, cells, *shift);
   const double dx = on_way.cells[0];
   const std::optional<double> whole = whole_cells(shift.value_or(dx), dx);
   on_way.shift = whole ? *whole * dx : *shift;

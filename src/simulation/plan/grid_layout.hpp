@@ -28,16 +28,23 @@ struct StepsOnWay
   int count = 0;
 };
 
+/// The distance of a step that a case asks for.
+struct WantedShift
+{
+  std::optional<double> shift{}; ///< [m]; none: one cell
+  bool is_whole = false;         ///< it must be a whole number of cells
+};
+
 /// Steps that end where the way does. A step is one cell, and cells that follow from a resolution are chosen such that an even
 /// number of them is the way; a given shift that is no whole number of cells is chosen so instead. Given cells, those of a period,
-/// and a given shift of whole cells stay, and the number of steps is rounded.
+/// and a given shift of whole cells stay, and the number of steps is rounded. Where a shift must be whole cells, cells that follow
+/// from a resolution are made to fit it.
 /// @param cells     of `cell_sizes`
-/// @param shift     distance of a step, if it is given [m]
 /// @param multiple  of which the number of steps is one
 /// @param key       of the way, for messages
 /// @throws PlanError if there are too many steps
 [[nodiscard]] StepsOnWay steps_on_way(const Numerics& numerics, const std::array<double, 3>& cells,
-                                      std::optional<double> shift, double way, int multiple, const std::string& key);
+                                      const WantedShift& wanted, double way, int multiple, const std::string& key);
 
 /// Number of cells of a shift that is whole cells, with which surfaces are not interpolated; none of another shift.
 [[nodiscard]] std::optional<double> whole_cells(double shift, double cell);
@@ -53,9 +60,9 @@ struct Extents
 /// Widens the extents to those of a heat source on one body.
 void cover(const elastoplastic::HeatSource& source, Extents& extents);
 
-/// Sets the grids of a plan; its `surfaces_only` must be set. Numbers of columns and rows are odd, so that one cell is in the middle. The material grids have the
-/// rows of the contact grid; they get some more columns than requested, because material is pushed ahead, and never fewer than
-/// the contact grid. Along a periodic axis all three grids have the cells of one period.
+/// Sets the grids of a plan; its `surfaces_only` must be set. Numbers of columns and rows are odd, so that one cell is in the
+/// middle. The material grids have the rows of the contact grid; they get some more columns than requested, because material is
+/// pushed ahead, and never fewer than the contact grid. Along a periodic axis all three grids have the cells of one period.
 /// @throws GridError if the grids are absurdly large
 void lay_out(const std::array<double, 3>& cells, const Extents& extents, const Domain& domain, Plan& plan);
 

@@ -111,6 +111,29 @@ TEST(StepsOnWay, OfAnyOtherShiftFitTheWay)
   }
 }
 
+/// The history of stick and slip moves by whole cells, also on the finer cells of a series of runs.
+TEST(StepsOnWay, WithCreepageCellsFitAShift)
+{
+  RollingCase c = rolling(0.405e-3);
+  c.friction.coefficient = 0.3;
+  c.creepage = {{0.001, 0.0, 0.0}};
+  const double resolution = c.resolution;
+  for (const double cells : {1.0, 1.3, 2.0, 2.51, 3.7})
+  {
+    c.shift = cells * wanted_cell(c);
+    for (const double finer : {1.0, std::sqrt(2.0), 2.0, 3.3})
+    {
+      c.resolution = finer * resolution;
+      const RollingPlan p = plan(c);
+      const double whole = *c.shift / p.contact.dx;
+      EXPECT_NEAR(whole, std::round(whole), 1e-4 * whole) << cells << " cells, " << finer << " times as fine";
+      EXPECT_LE(p.contact.dx, (1.0 + rounding) * wanted_cell(c));
+      EXPECT_NEAR(p.shift / *c.shift, 1.0, 1e-4);
+    }
+    c.resolution = resolution;
+  }
+}
+
 TEST(StepsOnWay, AShortRunRollsTheDistanceThatWasAskedFor)
 {
   RollingCase c = rolling(0.0533e-3, 4.0);
