@@ -177,7 +177,8 @@ class Rolling(ScenarioCase):
                 Pa, > 0.
             approach: Approach kept while rolling, instead of a load. In m, > 0.
             shift: Distance that the contact moves on the lower body per step. With creepage a whole number of cells: dx
-                is made to fit it, unless the case gives the cells. In m, > 0; default: one cell, dx.
+                is made to fit it, unless the case gives the cells or it is less than half of one. In m, > 0; default:
+                one cell, dx.
             slide_to_roll: Slide-to-roll ratio: difference (lower minus upper) over mean of the speeds at which the
                 surfaces pass the contact. 0: pure rolling; 2: the upper body slides without rotation. Friction acts
                 only if interface.friction is given. Allowed: in (-2, 2]; default: 0.0.

@@ -79,7 +79,7 @@ std::vector<Entry> motion_keys()
              .unset = "one cell, dx",
              .text =
                  "Distance that the contact moves on the lower body per step. With creepage a whole number of cells: "
-                 "dx is made to fit it, unless the case gives the cells."},
+                 "dx is made to fit it, unless the case gives the cells or it is less than half of one."},
             &RollingCase::shift),
       bound({.key = "rolling.slide_to_roll",
              .of = kind::number.up_to(-2.0, 2.0),

@@ -71,10 +71,12 @@ std::array<double, 3> fitted_to_way(const Numerics& numerics, std::array<double,
   return cells;
 }
 
-/// Cell sizes of which a shift that is not shorter than a cell is a whole number along x, likewise.
+/// Cell sizes of which a shift is a whole number along x, likewise; not of a shift that is shorter than half of a cell, for which
+/// they would become much finer than the resolution. The first runs of a series have cells twice as large.
 std::array<double, 3> fitted_to_shift(const Numerics& numerics, std::array<double, 3> cells, double shift)
 {
-  if (chooses_dx(numerics) && shift >= cells[0])
+  constexpr double shortest = 0.5 * (1.0 - 1e-4); // of a cell
+  if (chooses_dx(numerics) && shift >= shortest * cells[0])
     cells[0] = shift / whole_above(shift / cells[0]);
   return cells;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/sliding.hpp"
+#include "scenario_checks.hpp"
 #include "sliding_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -121,7 +122,7 @@ TEST(StepsOnWay, WithCreepageCellsFitAShift)
   for (const double cells : {1.0, 1.3, 2.0, 2.51, 3.7})
   {
     c.shift = cells * wanted_cell(c);
-    for (const double finer : {1.0, std::sqrt(2.0), 2.0, 3.3})
+    for (const double finer : {0.5, 1.0 / std::sqrt(2.0), 1.0, 2.0, 3.3})
     {
       c.resolution = finer * resolution;
       const RollingPlan p = plan(c);
@@ -132,6 +133,8 @@ TEST(StepsOnWay, WithCreepageCellsFitAShift)
     }
     c.resolution = resolution;
   }
+  c.shift = 0.4 * wanted_cell(c);
+  expect_refused(c, "rolling.shift", "whole multiples of the cell");
 }
 
 TEST(StepsOnWay, AShortRunRollsTheDistanceThatWasAskedFor)
