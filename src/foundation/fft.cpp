@@ -153,12 +153,13 @@ void PaddedFft::complete(const Complex* stored, Complex* all) const
   const std::ptrdiff_t columns = kx();
   for (int n = 0; n < rows(); ++n)
   {
+    const Complex* row = stored + n * columns;
+    std::copy_n(row, columns, all + n * columns);
+    if (!is_mirrored() || n == 0 || 2 * n >= py())
+      continue;
     const Complex phase = phase_[static_cast<std::size_t>(n)];
-    const std::ptrdiff_t row_offset = n * columns, opposite_offset = (py() - n) * columns;
-    std::copy_n(stored + row_offset, columns, all + row_offset);
-    if (is_mirrored() && n > 0 && 2 * n < py())
-      std::transform(stored + row_offset, stored + row_offset + columns, all + opposite_offset,
-                     [&](const Complex& wave) { return phase * wave; });
+    std::transform(row, row + columns, all + (py() - n) * columns,
+                   [phase](const Complex& wave) { return phase * wave; });
   }
 }
 
