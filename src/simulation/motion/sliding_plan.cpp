@@ -146,7 +146,8 @@ SlidingPlan plan(const SlidingCase& sliding)
   if (const double shift = sliding.shift.value_or(cells[0]); !(shift > 0.0 && shift <= sliding.distance))
     throw PlanError("`SlidingCase::shift` = {:g} m; allowed: > 0, up to `SlidingCase::distance` = {:g} m", shift,
                     sliding.distance);
-  const StepsOnWay steps = steps_on_way(sliding, cells, {sliding.shift}, sliding.distance, 1, "`SlidingCase::distance`");
+  const StepsOnWay steps =
+      steps_on_way(sliding, cells, {sliding.shift}, sliding.distance, 1, "`SlidingCase::distance`");
   plan.shift = steps.shift;
   plan.sliding_steps = steps.count;
   plan.surfaces_only = needs_surfaces_only(sliding, sliding.lower, sliding.upper);
