@@ -32,7 +32,7 @@ struct StepsOnWay
 struct WantedShift
 {
   std::optional<double> shift{}; ///< [m]; none: one cell
-  bool is_whole = false;         ///< it must be a whole number of cells
+  bool is_whole = false;         ///< whether it must be a whole number of cells
 };
 
 /// Steps that end where the way does. A step is one cell, and cells that follow from a resolution are chosen such that an even
