@@ -70,9 +70,14 @@ TEST(RollingCreepageTest, RefusesWhatDoesNotGoTogether)
   expect_refused("rolling.creepage", "nan", [](auto& c) { c.creepage->lateral = nan; });
   expect_refused("rolling.spin", "nan", [](auto& c) { c.creepage->spin = nan; });
   expect_refused("rolling.spin", "half-length", [](auto& c) { c.creepage->spin = -1e6; });
-  expect_refused("rolling.shift", "whole multiples", [](auto& c) { c.shift = 1.5 * plan(sample()).shift; });
-  expect_refused("rolling.shift", "whole multiples", [](auto& c) { c.shift = 0.5 * plan(sample()).shift; });
-  expect_refused("rolling.shift", "whole multiples", [](auto& c) { c.shift = 1.001 * plan(sample()).shift; });
+  for (const double cells : {0.5, 1.001, 1.5})
+    expect_refused("rolling.shift", "whole multiples",
+                   [cells](auto& c)
+                   {
+                     const RollingPlan p = plan(sample());
+                     c.spacing = {p.contact.dx, p.contact.dy, p.lower.dz};
+                     c.shift = cells * p.shift;
+                   });
   expect_refused("rolling.spin", "without ends",
                  [](auto& c)
                  {
@@ -87,6 +92,18 @@ TEST(RollingCreepageTest, RefusesWhatDoesNotGoTogether)
                      body->material = {{std::numeric_limits<double>::infinity(), 0.3}, {}};
                  });
   expect_refused("interface.friction", "rolling.creepage", [](auto& c) { c.creepage.reset(); });
+}
+
+TEST(RollingCreepageTest, CellsOfAResolutionFitTheShift)
+{
+  for (const double cells : {0.7, 1.001, 1.5})
+  {
+    RollingCase c = sample();
+    c.shift = cells * plan(sample()).shift;
+    const RollingPlan p = plan(c);
+    EXPECT_NEAR(std::remainder(p.shift, p.contact.dx), 0.0, 1e-9 * p.shift) << cells;
+    EXPECT_NEAR(p.shift / *c.shift, 1.0, 0.02) << cells;
+  }
 }
 
 TEST(RollingCreepageTest, NoCreepageOfEqualBodiesIsRollingWithoutFriction)
