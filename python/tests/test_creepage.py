@@ -67,7 +67,7 @@ def test_it_is_that_of_the_case_file() -> None:
         ({"slide_to_roll": 0.1}, "slide_to_roll = 0.1"),
         ({"spin": "1e6 rad/m"}, "half-length of the contact"),
         ({"spin": "1 mm"}, "spin"),
-        ({"shift": "70 um"}, "whole multiples of the cell"),
+        ({"shift": "70 um", "grid": {"spacing": ["50 um", "50 um", "25 um"]}}, "whole multiples of the cell"),
     ],
 )
 def test_errors_name_the_argument(arguments: dict, message: str) -> None:
