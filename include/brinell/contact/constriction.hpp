@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/contact/contact_area.hpp"
+#include "brinell/contact/punch.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+/// Current or heat that passes between two half spaces through their contact: docs/theory/electrical.md.
+namespace brinell::contact
+{
+
+/// Flow of current through a contact under a voltage of 1 V between points far from it in the two bodies. With flux of heat,
+/// temperature and 1/conductivity in place of density, potential and resistivity it is the conduction of heat.
+struct Flow
+{
+  double conductance = 0.0; ///< [1/ohm]; 0 without contact, infinite where bodies touch everywhere, NaN if not found
+  /// Solution on the cells [A/(V m^2)], which lacks some of the current at the edge; empty where bodies touch everywhere.
+  std::vector<double> density;
+  Patches patches;
+  std::vector<double> of_patch; ///< current of each patch [A/V]; their sum is the conductance
+
+  /// Mean density over each cell, whose sum is the current of each patch [A/(V m^2)].
+  [[nodiscard]] std::vector<double> whole_density(double cell_area) const;
+};
+
+/// Spreading of a flow in two half spaces from their contact, B j = 1/(2 pi) integral of j/r, which is E'/2 times the surface
+/// compliance (Barber 2003).
+class Constriction
+{
+public:
+  /// @param compliance  must outlive this object
+  /// @param modulus     with which it was made [Pa]
+  Constriction(const halfspace::SurfaceCompliance& compliance, double modulus);
+
+  /// The contact, one value per cell.
+  struct Contact
+  {
+    std::span<const double> pressure; ///< [Pa]
+    std::span<const double> gap;      ///< [m]
+  };
+  /// Solves (S B + film) j = 1 V on the area. The current is corrected to first order for what the cells of the contact miss at
+  /// its edge, where the density is singular: docs/theory/electrical.md (edge).
+  /// @param spreading  sum S of the resistivities of the bodies [ohm m]
+  /// @param film       area resistance between the surfaces [ohm m^2], >= 0, one per cell; empty: none
+  /// @param density    in: a guess of `Flow::density`, or empty
+  [[nodiscard]] Flow flow(const Contact& contact, double spreading, std::span<const double> film,
+                          std::vector<double> density = {});
+
+  /// Resistivity, thermal conductivity and temperature far away of a body: constants.
+  struct Conductor
+  {
+    double resistivity = 0.0;  ///< [ohm m]
+    double conductivity = 0.0; ///< [W/(m K)]
+    double temperature = 0.0;  ///< [deg C]
+  };
+  /// Steady temperature of the contact area [deg C], of each cell; 0 elsewhere. It is the same in both surfaces.
+  /// @param density  solution on the cells times the voltage [A/m^2]
+  /// @param source   heat that arises between the surfaces [W/m^2], one per cell
+  [[nodiscard]] std::vector<double> temperature(std::span<const double> pressure, std::span<const double> density,
+                                                std::span<const double> source, const std::array<Conductor, 2>& bodies);
+
+private:
+  [[nodiscard]] std::vector<double> spread(std::span<const double> flux);
+  void correct(Flow& flow, std::span<const double> pressure, double spreading, std::span<const double> film) const;
+
+  const halfspace::SurfaceCompliance& compliance_;
+  halfspace::SurfaceCompliance::Scratch scratch_;
+  double modulus_;
+  Punch punch_;
+  std::vector<double> heat_into_lower_; ///< guess of the next solution [W/m^2]
+};
+
+} // namespace brinell::contact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+
+/// Steady temperature of a contact without a film through which current flows: docs/theory/electrical.md (contact-voltage). It
+/// does not depend on the shape of the contact (Kohlrausch 1900).
+namespace brinell::contact
+{
+
+/// Lorenz number of Wiedemann and Franz [V^2/K^2].
+inline constexpr double lorenz_number = 2.44e-8;
+
+/// Resistivity and thermal conductivity of a body at each temperature.
+struct HotConductor
+{
+  double resistivity = 0.0;             ///< at 20 deg C [ohm m]
+  double temperature_coefficient = 0.0; ///< of the resistivity, of that at 20 deg C [1/K]
+  std::optional<double> conductivity{}; ///< [W/(m K)]; none: that of Wiedemann and Franz at each temperature
+  double temperature = 20.0;            ///< far away [deg C]
+
+  /// @param t  [deg C]
+  [[nodiscard]] double resistivity_at(double t) const;  ///< [ohm m]
+  [[nodiscard]] double conductivity_at(double t) const; ///< [W/(m K)]
+  /// Integral of conductivity times resistivity from the temperature far away [V^2].
+  [[nodiscard]] double kirchhoff(double t) const;
+  /// The temperature at which `kirchhoff` has a value [deg C]; NaN if there is none.
+  [[nodiscard]] double temperature_at(double kirchhoff) const;
+};
+
+/// A contact that is heated by its current.
+struct HotContact
+{
+  double voltage = 0.0;     ///< between points far from the contact [V]
+  double flow = 0.0;        ///< current over the factor of shape, 2 K/E' of the contact area [A/m]
+  double interface = 0.0;   ///< temperature of the contact area [deg C]
+  double temperature = 0.0; ///< largest temperature; of unlike bodies, inside the worse conductor [deg C]
+};
+
+/// @param voltage  >= 0 [V]
+[[nodiscard]] HotContact hot_contact(const std::array<HotConductor, 2>& bodies, double voltage);
+
+/// The contact through which a current flows; none if there is no steady state below 1e5 K.
+/// @param flow  current over the factor of shape, >= 0 [A/m]
+[[nodiscard]] std::optional<HotContact> hot_contact_of_current(const std::array<HotConductor, 2>& bodies, double flow);
+
+} // namespace brinell::contact
