@@ -100,7 +100,7 @@ SETTINGS = (
     Kind(
         "Interface",
         "interface",
-        "Friction, frictional heat and wear of the interface.",
+        "Friction, frictional heat, wear and electric current of the interface.",
         parts={"wear": Part("Wear", "Wear of the surfaces where they slip")},
     ),
     Kind("Wear", "interface.wear", "Wear of both surfaces where they slip."),
@@ -222,7 +222,7 @@ LISTS = (
 )
 
 SHARED = {
-    "interface": ("Interface", "Friction and wear, `brinell.Interface` or a dictionary."),
+    "interface": ("Interface", "Friction, wear and current, `brinell.Interface` or a dictionary."),
     "thermal": ("Heating", "Effects of heat, `brinell.Heating` or a dictionary."),
     "grid": ("Grid", "Grid settings, `brinell.Grid` or a dictionary."),
     "solver": ("Solver", "Solver settings, `brinell.Solver` or a dictionary."),

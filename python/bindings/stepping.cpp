@@ -89,6 +89,7 @@ public:
     add("temperature_upper", s.temperature[1]);
     add("heat_flux_lower", s.heat_flux[0]);
     add("heat_flux_upper", s.heat_flux[1]);
+    add("current_density", s.current_density);
     result["lower"] = body(std::move(s.lower));
     result["upper"] = body(std::move(s.upper));
     return result;

@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from brinell.forecast import Forecast
     from brinell.materials import (
         RIGID,
+        Electrical,
         Hollomon,
         JohnsonCook,
         Linear,
@@ -117,6 +118,7 @@ __all__ = [
     "ConvergenceError",
     "Cylinder",
     "Dent",
+    "Electrical",
     "Ellipsoid",
     "Flat",
     "Forecast",
@@ -187,7 +189,7 @@ _MODULES = {
     "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
     "MissingExtraError",
     "forecast": "Forecast",
-    "materials": "RIGID Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
+    "materials": "RIGID Electrical Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
     "SofteningTable Swift SwiftMicrostrain Table Thermal Voce",
     "results": "Accuracy Run RunError RunWarning",
     "scenarios": "Fretting Indentation Rolling Sliding Tugging",

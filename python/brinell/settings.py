@@ -61,7 +61,7 @@ class Grid(CaseTable):
 
 @dataclass(frozen=True, kw_only=True)
 class Interface(CaseTable):
-    """Friction, frictional heat and wear of the interface.
+    """Friction, frictional heat, wear and electric current of the interface.
 
     Attributes:
         friction: Coefficient of Coulomb friction: where the surfaces slide, the shear is friction x pressure, limited
@@ -73,6 +73,12 @@ class Interface(CaseTable):
             including hardening.
         coupling: Whether the shear changes the gap, as it does if the elastic constants of the two materials differ.
             False: this effect is neglected, as if both surfaces moved equally. Default: True.
+        current: Electric current between bodies that both have an electrical resistivity; over a period, that of one
+            period. In A, >= 0; default: no current; not together with voltage.
+        voltage: Voltage between points of the two bodies far from the contact, in place of a current. In V, >= 0;
+            default: no current; not together with current.
+        film_resistance: Resistance times area of a film between the surfaces, such as an oxide. 0: no film. In ohm m^2,
+            >= 0; default: 0.0.
         heat_fraction: Share of the friction power that heats the two bodies, if they have thermal constants. Allowed:
             in [0, 1]; default: 1.0.
         wear: Wear of the surfaces where they slip, `brinell.Wear` or a dictionary.
@@ -81,6 +87,9 @@ class Interface(CaseTable):
     friction: float | None = None
     shear_limit: Quantity | None = None
     coupling: bool | None = None
+    current: Quantity | None = None
+    voltage: Quantity | None = None
+    film_resistance: Quantity | None = None
     heat_fraction: float | None = None
     wear: Wear | Mapping[str, Any] | None = None
 

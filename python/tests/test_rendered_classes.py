@@ -97,10 +97,10 @@ def test_types_are_those_of_the_keys() -> None:
 
 
 def test_a_key_of_another_choice_is_no_argument() -> None:
-    """A cylinder knows no half angle, and an indentation, in which nothing slides, no friction."""
+    """A cylinder knows no half angle, and an indentation, in which nothing slides, no heat of friction."""
     assert [field.name for field in fields(brinell.Cylinder)] == ["radius", "length"]
-    with pytest.raises(brinell.ArgumentError, match="unknown argument interface"):
-        brinell.Indentation(None, None, interface=None)  # type: ignore[call-arg, arg-type]
+    with pytest.raises(brinell.ArgumentError, match="unknown argument thermal"):
+        brinell.Indentation(None, None, thermal=None)  # type: ignore[call-arg, arg-type]
 
 
 def test_a_choice_that_the_schema_does_not_explain_is_an_error(tool: ModuleType) -> None:

@@ -161,7 +161,7 @@ def test_each_key_of_a_case_has_its_unit() -> None:
     rows = [line.split(" | ") for line in CASE_FILE.read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
     told = {}
     for key, value, *_ in rows:
-        found = re.search(r" in (\S+(?: K\))?) or with a unit|(in degrees)", value + "".join(_))
+        found = re.search(r" in (ohm m\^?2?|\S+(?: K\))?) or with a unit|(in degrees)", value + "".join(_))
         if found:
             unit = "°" if found[2] or found[1] == "degrees" else found[1]
             told[key.strip("| `").split(".")[-1]] = unit.replace("^2", "²").replace("^3", "³").replace("degC", "°C")

@@ -82,6 +82,8 @@ struct Facts
   bool is_heated = false;  ///< by friction or a source
   bool has_source = false; ///< of heat, other than friction
   bool wears = false;
+  bool conducts = false;           ///< electric current
+  bool is_current_given = false;   ///< a current or a voltage other than 0
   bool has_thermal_stress = false; ///< thermal stress is part of the yield condition
   /// In which a point is heated [s]: the contact passes it, on the body over which it moves faster; or half a cycle.
   std::optional<double> heating_time;

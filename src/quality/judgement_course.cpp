@@ -258,4 +258,26 @@ void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warni
                percent_text(largest_worn_share_of_layer))});
 }
 
+void warn_of_current(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  if (!facts.conducts || !facts.is_current_given)
+    return;
+  if (std::isnan(totals.max_contact_temperature))
+    warnings.push_back({"no_steady_current",
+                        "the current is larger than any that the contact bears in a steady state: it would melt or "
+                        "evaporate, and resistance, voltage and temperature of these steps are not numbers"});
+  constexpr double warm = 100.0; // [K]
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const constitutive::Material& material = *facts.materials[side];
+    const double rise = totals.max_contact_temperature - material.temperature;
+    if (rise > warm && material.is_plastic())
+      warnings.push_back(
+          {"hot_current",
+           fmt::format("the current heats the contact to {:.0f} degC; the {} body yields as if it had "
+                       "its bulk temperature of {:.0f} degC",
+                       totals.max_contact_temperature, side == 0 ? "lower" : "upper", material.temperature)});
+  }
+}
+
 } // namespace brinell::quality

@@ -64,4 +64,7 @@ void warn_of_heat(const Facts& facts, const simulation::RunTotals& totals, std::
 /// plastic strain does not move with the worn surface.
 void warn_of_wear(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
+/// Warns of currents without a steady state, and of heat that the bodies do not feel.
+void warn_of_current(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
+
 } // namespace brinell::quality

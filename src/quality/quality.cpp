@@ -258,6 +258,8 @@ Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBo
   f.is_heated = is_heated(numerics, lower, upper);
   f.has_source = numerics.heat.source.exists();
   f.wears = numerics.wear.wears();
+  f.conducts = lower.material.electrical && upper.material.electrical;
+  f.is_current_given = numerics.current.current.value_or(numerics.current.voltage.value_or(0.0)) > 0.0;
   f.has_thermal_stress = numerics.heat.stress;
   f.friction = numerics.friction.coefficient;
   f.shear_limit = numerics.friction.shear_limit.value_or(f.shear_limit);
@@ -323,6 +325,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   warn_of_course(f, totals, judge.warnings());
   warn_of_heat(f, totals, judge.warnings());
   warn_of_wear(f, totals, judge.warnings());
+  warn_of_current(f, totals, judge.warnings());
   judge.of_scenario();
   return std::move(judge).result();
 }

@@ -15,6 +15,14 @@
 namespace brinell::constitutive
 {
 
+/// Electrical constants of a material.
+struct Electrical
+{
+  double resistivity = 0.0;             ///< at 20 deg C [ohm m], > 0
+  double temperature_coefficient = 0.0; ///< of the resistivity, of that at 20 deg C [1/K], >= 0
+  bool operator==(const Electrical&) const = default;
+};
+
 /// A material: elastic, or elastic-plastic if it has a hardening law.
 struct Material
 {
@@ -25,6 +33,7 @@ struct Material
   DepthProfile initial_stress{};    ///< biaxial stress xx = yy before the first load [Pa], tension positive
   std::optional<Thermal> thermal{}; ///< empty: the temperature of the body is not computed
   double temperature = 20.0;        ///< of the bulk [deg C]
+  std::optional<Electrical> electrical{};  ///< empty: the body insulates
   std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
 
   [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }

@@ -21,13 +21,15 @@ class Interaction
 public:
   /// @param friction  may be nullptr: then there is no shear, and the surfaces slip by `slid` everywhere
   /// @param pressure  [Pa]
+  /// @param gap       [m]
   /// @param slid      sliding distance of the undeformed surfaces in the increment [m]
-  Interaction(const Interface* friction, std::span<const double> pressure, double slid)
-      : friction_(friction), pressure_(pressure), slid_(slid)
+  Interaction(const Interface* friction, std::span<const double> pressure, std::span<const double> gap, double slid)
+      : friction_(friction), pressure_(pressure), gap_(gap), slid_(slid)
   {
   }
 
   [[nodiscard]] std::span<const double> pressure() const { return pressure_; } ///< [Pa]
+  [[nodiscard]] std::span<const double> gap() const { return gap_; }           ///< [m], >= 0
   /// Pressure before the increment, on the points of the surfaces that lie in each cell at its end [Pa]. Only before the first
   /// trial.
   [[nodiscard]] std::span<const double> pressure_before() const;
@@ -43,7 +45,7 @@ public:
 
 private:
   const Interface* friction_;
-  std::span<const double> pressure_;
+  std::span<const double> pressure_, gap_;
   double slid_;
 };
 

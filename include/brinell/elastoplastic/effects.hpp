@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/elastoplastic/current.hpp"
 #include "brinell/elastoplastic/wear.hpp"
 #include "brinell/foundation/column.hpp"
 
@@ -18,6 +19,7 @@ namespace brinell::elastoplastic
 struct Effects
 {
   WearLaw wear{};
+  CurrentDrive current{}; ///< between bodies that conduct
 
   /// Whether bodies that are mirror images of each other stay so.
   [[nodiscard]] bool are_alike() const { return wear.is_alike(); }
@@ -27,10 +29,10 @@ struct Effects
 };
 
 /// Names of the effects that act, as in summaries.
-[[nodiscard]] std::vector<std::string_view> names_of(const Effects& settings);
+[[nodiscard]] std::vector<std::string_view> names_of(const Effects& settings, const Current::Materials& materials);
 
-/// Totals of all effects since the start of a run; zero without them.
-struct EffectTotals : WearTotals
+/// Totals of all effects since the start of a run, and numbers at its end; zero without them.
+struct EffectTotals : WearTotals, CurrentTotals
 {
   /// Work of the drive that they have used up [J].
   [[nodiscard]] double work_of_effects() const { return work_of_wear; }
@@ -42,9 +44,17 @@ struct EffectColumn
   std::string_view effect;     ///< part of the summary
   std::string_view in_summary; ///< name there
   Column<EffectTotals> column;
+  bool acts_at_rest = false; ///< acts between surfaces that never slide, too
 };
 
-inline constexpr std::array<EffectColumn, 6> effect_columns{{
+template <typename Member>
+constexpr EffectColumn of_current(std::string_view in_summary, std::string_view name, std::string_view unit,
+                                  Member member, std::string_view text)
+{
+  return {"current", in_summary, {name, unit, member, text}, true};
+}
+
+inline constexpr std::array<EffectColumn, 16> effect_columns{{
     {"wear",
      "volume_lower_m3",
      {"worn_volume_lower", "m^3", &EffectTotals::worn_volume_lower, "worn volume of the lower body"}},
@@ -64,12 +74,30 @@ inline constexpr std::array<EffectColumn, 6> effect_columns{{
     {"wear",
      "work_J",
      {"work_of_wear", "J", &EffectTotals::work_of_wear, "work of the pressure on the worn depth since the start"}},
+    of_current("resistance_ohm", "contact_resistance", "ohm", &EffectTotals::contact_resistance,
+               "resistance between points far from the contact in both bodies; 0 unless both conduct"),
+    of_current("current_A", "current", "A", &EffectTotals::current, "electric current"),
+    of_current("voltage_V", "voltage", "V", &EffectTotals::voltage, "voltage between points far from the contact"),
+    of_current("power_W", "electric_power", "W", &EffectTotals::electric_power, "voltage times current"),
+    of_current("max_density_A_m2", "max_current_density", "A/m^2", &EffectTotals::max_current_density,
+               "largest density of the current, mean over a cell"),
+    of_current("spots", "current_spots", "1", &EffectTotals::current_spots, "patches of the contact"),
+    of_current("largest_spot_share", "largest_spot_share", "1", &EffectTotals::largest_spot_share,
+               "largest share of a patch in the current"),
+    of_current("temperature_degC", "contact_temperature", "degC", &EffectTotals::contact_temperature,
+               "largest temperature by the current alone, steady"),
+    of_current("min_resistance_ohm", "min_contact_resistance", "ohm", &EffectTotals::min_contact_resistance,
+               "smallest resistance of the contact since the start"),
+    of_current("max_temperature_degC", "max_contact_temperature", "degC", &EffectTotals::max_contact_temperature,
+               "largest temperature by the current since the start"),
 }};
 
 /// Effects that act, in the order in which they do.
-/// @param modulus  of the contact [Pa]
-[[nodiscard]] std::vector<std::unique_ptr<Effect>> make_effects(const Effects& settings, const SurfaceGrid& contact,
+/// @param compliance  of the contact; must outlive the effects
+/// @param modulus     of the contact [Pa]
+[[nodiscard]] std::vector<std::unique_ptr<Effect>> make_effects(const Effects& settings,
+                                                                const halfspace::SurfaceCompliance& compliance,
                                                                 const SurfaceGrid& lower, const SurfaceGrid& upper,
-                                                                double modulus);
+                                                                double modulus, const Current::Materials& materials);
 
 } // namespace brinell::elastoplastic

@@ -8,10 +8,10 @@
 namespace brinell::io
 {
 
-/// Physical dimension as exponents of kg, m, s, K.
+/// Physical dimension as exponents of kg, m, s, K, A.
 struct Dimension
 {
-  int mass = 0, length = 0, time = 0, temperature = 0;
+  int mass = 0, length = 0, time = 0, temperature = 0, current = 0;
   bool operator==(const Dimension&) const = default;
 };
 
@@ -30,6 +30,10 @@ inline constexpr Dimension density{.mass = 1, .length = -3};
 inline constexpr Dimension specific_heat{.length = 2, .time = -2, .temperature = -1};
 inline constexpr Dimension expansion{.temperature = -1};
 inline constexpr Dimension wear{.mass = -1, .length = 1, .time = 2};
+inline constexpr Dimension current{.current = 1};
+inline constexpr Dimension voltage{.mass = 1, .length = 2, .time = -3, .current = -1};
+inline constexpr Dimension resistivity{.mass = 1, .length = 3, .time = -3, .current = -2};
+inline constexpr Dimension area_resistance{.mass = 1, .length = 4, .time = -3, .current = -2};
 } // namespace dimension
 
 /// "length", "pressure", ...; "quantity in kg m^2" if the dimension has no name here.

@@ -70,21 +70,23 @@ inline constexpr std::array<Row, 10> ending{{
     {"evaluations", "1", &StepRecord::evaluations, "evaluations of the elastic-plastic operator in this step"},
 }};
 
-/// The columns of a row: those that begin it, those of heat and of the effects between the surfaces in scenarios that have them,
-/// and the ending.
+/// The columns of a row: those that begin it, those of heat in scenarios that have it, those of the effects between the surfaces
+/// that may act, and the ending.
 template <typename Record, std::size_t N>
 constexpr auto row(const Column<Record> (&beginning)[N])
 {
   constexpr bool is_heated = std::derived_from<Record, HeatedRecord>;
-  constexpr std::size_t middle = is_heated ? heated.size() + elastoplastic::effect_columns.size() : 0;
+  constexpr auto may_act = [](const elastoplastic::EffectColumn& column) { return is_heated || column.acts_at_rest; };
+  constexpr auto& effects = elastoplastic::effect_columns;
+  constexpr std::size_t middle = (is_heated ? heated.size() : 0) +
+                                 static_cast<std::size_t>(std::count_if(effects.begin(), effects.end(), may_act));
   std::array<Column<Record>, N + middle + ending.size()> all{};
   auto next = std::copy(beginning, beginning + N, all.begin());
   if constexpr (is_heated)
-  {
     next = std::copy(heated.begin(), heated.end(), next);
-    for (const elastoplastic::EffectColumn& of_effect : elastoplastic::effect_columns)
+  for (const elastoplastic::EffectColumn& of_effect : effects)
+    if (may_act(of_effect))
       *next++ = Column<StepRecord>(of_effect.column);
-  }
   std::copy(ending.begin(), ending.end(), next);
   return all;
 }

@@ -76,7 +76,7 @@ struct Domain
 [[nodiscard]] double line_length(const Shape& lower, const Shape& upper, const Domain& domain);
 
 /// Parameters that the cases of all scenarios have besides their bodies: cells, solver, and the interface of the surfaces.
-struct Numerics : elastoplastic::Effects ///< the effects act where the surfaces slide on each other
+struct Numerics : elastoplastic::Effects ///< effects between the surfaces; wear acts where they slide on each other
 {
   elastoplastic::Friction friction; ///< where the surfaces slide on each other
   elastoplastic::HeatSettings heat; ///< in bodies that have thermal constants
@@ -233,6 +233,7 @@ struct Snapshot
   /// For the lower and the upper surface; empty without heat.
   std::array<std::vector<double>, 2> temperature; ///< [deg C]
   std::array<std::vector<double>, 2> heat_flux;   ///< into the body, in the last step [W/m^2]
+  std::vector<double> current_density;            ///< [A/m^2]; empty unless both bodies conduct
   BodySnapshot lower, upper;
 };
 

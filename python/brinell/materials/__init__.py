@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Materials: elastic constants, hardening and softening laws, profiles over depth, and thermal constants.
+"""Materials: elastic constants, hardening and softening laws, profiles over depth, thermal and electrical constants.
 
     steel = Material("210 GPa", 0.3, Swift(coefficient="2.1 GPa", offset=4e-3, exponent=0.095))
     soft = Material(70e9, 0.33, hardening=lambda e: 250e6 + 180e6 * np.tanh(30 * e))
@@ -10,6 +10,7 @@ yield stress in uniaxial tension.
 
 from brinell._tables import Hardening, Softening
 from brinell.materials.curves import MeasuredCurve
+from brinell.materials.electrical import Electrical
 from brinell.materials.hardening import Table
 from brinell.materials.laws import (
     Hollomon,
@@ -28,6 +29,7 @@ from brinell.materials.thermal import SofteningTable, Thermal
 
 __all__ = [
     "RIGID",
+    "Electrical",
     "Hardening",
     "Hollomon",
     "JohnsonCook",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A material: elastic constants, yielding, and thermal constants."""
+"""A material: elastic constants, yielding, thermal and electrical constants."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from brinell._tables import Hardening, Quantity, Softening
 from brinell._values import plain
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
+from brinell.materials.electrical import Electrical
 from brinell.materials.hardening import Table
 from brinell.materials.profiles import Profile, columns_of, terms_of
 from brinell.materials.sampling import Law
@@ -40,10 +41,11 @@ class Material:
             ...], {"depth": [...], "value": [...]}, or columns (depths, stresses). The attribute has columns.
         thermal: thermal constants; None: no heat is computed in the body.
         softening: law of thermal softening of the yield stress; None: no softening.
+        electrical: electrical constants; None: the body insulates.
 
     Raises:
-        InputError: hardening, thermal or softening is of another type, or a profile can be read in two ways. Other
-            values are checked when the material is used.
+        InputError: hardening, thermal, softening or electrical is of another type, or a profile can be read in two
+            ways. Other values are checked when the material is used.
     """
 
     young_modulus: Quantity
@@ -54,6 +56,7 @@ class Material:
     initial_stress: Profile | None = None
     thermal: Thermal | None = None
     softening: Softening | None = None
+    electrical: Electrical | None = None
 
     def __post_init__(self) -> None:
         law = self.hardening
@@ -69,6 +72,8 @@ class Material:
             raise InputError(
                 f"softening = {self.softening!r}; allowed: a law, as brinell.JohnsonCook(1500, 1.0), or None"
             )
+        if not (self.electrical is None or isinstance(self.electrical, Electrical)):
+            raise InputError(f"electrical = {self.electrical!r}; allowed: brinell.Electrical(...), or None")
         object.__setattr__(self, "back_stresses", terms_of(self.back_stresses))
         for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
             if (profile := getattr(self, name)) is not None:
@@ -82,7 +87,7 @@ class Material:
     def to_case(self) -> dict[str, Any]:
         """The table `material` of the case file, as nested dictionaries."""
         if self.is_rigid:
-            return {"rigid": True} | self._thermal_table(lambda key, value: key != "expansion" or value != 0.0)
+            return {"rigid": True} | self._tables_of_constants(lambda key, value: key != "expansion" or value != 0.0)
         table = {"young_modulus": plain(self.young_modulus), "poisson_ratio": plain(self.poisson_ratio)}
         if isinstance(self.hardening, Hardening):
             table["hardening"] = self.hardening.to_case()
@@ -94,12 +99,15 @@ class Material:
                 table[name] = {"depth": list(profile[0]), value: list(profile[1])}
         if self.softening is not None:
             table["softening"] = self.softening.to_case()
-        return table | self._thermal_table()
+        return table | self._tables_of_constants()
 
-    def _thermal_table(self, keep: Callable[[str, Any], bool] = lambda key, value: True) -> dict[str, Any]:
-        if self.thermal is None:
-            return {}
-        return {"thermal": {key: value for key, value in self.thermal.to_case().items() if keep(key, value)}}
+    def _tables_of_constants(self, keep: Callable[[str, Any], bool] = lambda key, value: True) -> dict[str, Any]:
+        given = {"thermal": self.thermal, "electrical": self.electrical}
+        return {
+            name: {key: value for key, value in constants.to_case().items() if keep(key, value)}
+            for name, constants in given.items()
+            if constants is not None
+        }
 
     @cached_property
     def _engine(self) -> _core.Material:

@@ -9,19 +9,21 @@ Modules: `paper` (Figs. 11-15 of Boucly, Nelias, Green 2006), `indentation`, `ro
 runs of these scenarios), `track_depth` (depth profiles after rolling), `patches` and `run_in` (contact and surfaces of
 a sliding), `rough` (several rough surfaces over a period), `creepage` (steady rolling at several creepages), `fields`,
 `sections` and `depth` (one state of any scenario), `slip` and `friction_heat` (stick and slip, and the heat of
-friction, in one state), `history`, `energy` and `wear` (one run step by step), `points` (histories at points within the
-bodies), `residual` (the permanent shape of the surfaces), `temperature` (step by step, and in one state), `animation`
-and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what
-suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve), `sweeps` (key numbers over what
-varies), `cli` (`brinell plot`). Below them: `style` (the look of all figures), `placing` (figures in axes of the
-caller), `scales` (what each quantity is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on
-a plane), `overlay` (several results in one figure), `differences` (their names), `states` (which state and which
-bodies), `where` (where bodies are cut unless told), `cells` (cell values as pictures), `sheets` (maps that are long).
+friction, in one state), `current` (electric contact), `history`, `energy` and `wear` (one run step by step), `points`
+(histories at points within the bodies), `residual` (the permanent shape of the surfaces), `temperature` (step by step,
+and in one state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing
+asperities), `standard` (what suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve),
+`sweeps` (key numbers over what varies), `cli` (`brinell plot`). Below them: `style` (the look of all figures),
+`placing` (figures in axes of the caller), `scales` (what each quantity is divided by), `quantities` (the fields by
+name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `differences` (their names),
+`states` (which state and which bodies), `where` (where bodies are cut unless told), `cells` (cell values as pictures),
+`sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.asperities import friction_over_load, passes_map
 from brinell.plot.creepage import creep_curve
+from brinell.plot.current import contact_resistance, current_density_map
 from brinell.plot.curves import measured_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
@@ -77,11 +79,13 @@ __all__ = [
     "contact_patches",
     "contact_pressure",
     "contact_profiles",
+    "contact_resistance",
     "creep_curve",
     "creep_forces",
     "creep_heat",
     "creep_maps",
     "creep_profiles",
+    "current_density_map",
     "cycle_by_cycle",
     "depth_profiles",
     "energy_balance",

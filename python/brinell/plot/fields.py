@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from brinell.plot import style
 from brinell.plot.cells import contact_edge, contact_patch, draw_cells, extent, refined
+from brinell.plot.current import current_density_map, has_current
 from brinell.plot.cuts import has_section
 from brinell.plot.friction_heat import friction_heat_map, has_friction_heat
 from brinell.plot.residual import residual_surfaces
@@ -187,6 +188,7 @@ FIGURES: dict[str, Callable[..., Figure]] = {
     "section": section,
     "stick-slip": stick_slip_maps,
     "friction-heat": friction_heat_map,
+    "current-density": current_density_map,
     "temperature": temperature_section,
     "surface-temperature-maps": surface_temperature_maps,
 }
@@ -199,6 +201,8 @@ def suits(name: str, snapshot: Snapshot) -> bool:
         return has_slip(snapshot) and not _is_one_row(snapshot.contact)
     if name == "friction-heat":
         return has_friction_heat(snapshot)
+    if name == "current-density":
+        return has_current(snapshot)
     if name == "temperature":
         return any(body.temperature is not None for body in (snapshot.lower, snapshot.upper))
     if name == "surface-temperature-maps":

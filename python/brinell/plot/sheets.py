@@ -73,10 +73,18 @@ def sheet_of(across: Range, upward: Range) -> Sheet:
 
 
 def lying(contact: ContactFields, sheet: Sheet) -> ContactFields:
-    """Pressure and gap with y' to the right, if the sheet is turned."""
+    """Pressure, gap and density of the current with y' to the right, if the sheet is turned."""
     if not sheet.is_turned:
         return contact
-    return replace(contact, x=contact.y, y=contact.x, pressure=contact.pressure.T, gap=contact.gap.T)
+    density = contact.current_density
+    return replace(
+        contact,
+        x=contact.y,
+        y=contact.x,
+        pressure=contact.pressure.T,
+        gap=contact.gap.T,
+        current_density=None if density is None else density.T,
+    )
 
 
 def enlarged(label: str, factor: float) -> str:

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import depth, energy, fields, history, points, temperature, wear
+from brinell.plot import current, depth, energy, fields, history, points, temperature, wear
 from brinell.plot.where import cutting_of, section_of, usual_place
 from brinell.results import Run, Snapshot
 from brinell.scenarios import SCENARIOS
@@ -63,6 +63,9 @@ def standard_figures(run: Run) -> Iterator[Named]:
     if (course := wear.worn_course(run)) is not None:
         caption = "Volume that each body has lost by wear, and the largest depth, over the way slipped."
         yield Named("worn-course", caption, "course", course)
+    if (resistance := current.contact_resistance(run)) is not None:
+        caption = "Electrical resistance over the load, with the power laws of simple contacts."
+        yield Named("contact-resistance", caption, "course", resistance)
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
 

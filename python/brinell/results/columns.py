@@ -14,6 +14,7 @@ __all__ = [
     "COLUMN_UNITS",
     "HISTORY_COLUMNS",
     "INTEGER_COLUMNS",
+    "NOT_ALWAYS_FINITE",
     "OF_A_PERIOD",
     "scenario_of",
 ]
@@ -40,6 +41,21 @@ _OF_WEAR = (
     "max_wear_step",
     "work_of_wear",
 )
+_OF_CURRENT = (
+    "contact_resistance",
+    "current",
+    "voltage",
+    "electric_power",
+    "max_current_density",
+    "current_spots",
+    "largest_spot_share",
+    "contact_temperature",
+    "min_contact_resistance",
+    "max_contact_temperature",
+)
+NOT_ALWAYS_FINITE = frozenset((*OF_A_PERIOD, *_OF_CURRENT))
+"""Columns that may be infinite or NaN: of a period, and of a current without contact or without a steady state."""
+
 _ADDED_LATER = (
     *("height", "friction", "contact_cells", "patches", "largest_patch"),
     *OF_A_PERIOD,
@@ -47,6 +63,7 @@ _ADDED_LATER = (
     *_OF_STICK_AND_SLIP,
     *_OF_HEAT,
     *_OF_WEAR,
+    *_OF_CURRENT,
 )
 """Columns that the histories of older versions do not have."""
 

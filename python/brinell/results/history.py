@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from brinell._reprs import column_table
 from brinell.errors import MissingExtraError
-from brinell.results.columns import COLUMN_UNITS, INTEGER_COLUMNS, OF_A_PERIOD, scenario_of
+from brinell.results.columns import COLUMN_UNITS, INTEGER_COLUMNS, NOT_ALWAYS_FINITE, scenario_of
 from brinell.results.errors import RunError, listed
 from brinell.scenarios import Scenario
 
@@ -151,6 +151,6 @@ def _row(cells: Sequence[str], names: Sequence[str], where: str) -> list[float]:
     except ValueError as error:
         raise RunError(f"{where}: {error}") from error
     for name, value in zip(names, row, strict=True):
-        if not np.isfinite(value) and name not in OF_A_PERIOD:
+        if not np.isfinite(value) and name not in NOT_ALWAYS_FINITE:
             raise RunError(f"{where}: {name} = {value} is not a finite number")
     return row

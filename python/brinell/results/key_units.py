@@ -14,7 +14,7 @@ __all__ = ["UNITS", "WITHOUT_PREFIX", "key_unit"]
 _KEYS = {key.key: key for key in _core.schema_keys()}
 _SIGNS = {"degrees": "°", "degC": "°C", "^2": "²", "^3": "³"}
 
-WITHOUT_PREFIX = frozenset({"°", "°C", "s", "W/(m K)", "kg/m³", "J/(kg K)", "1/K", "1/Pa"})
+WITHOUT_PREFIX = frozenset({"°", "°C", "s", "W/(m K)", "kg/m³", "J/(kg K)", "1/K", "1/Pa", "ohm m", "ohm m²"})
 """Units whose numbers are written without a prefix."""
 
 

@@ -38,8 +38,9 @@ COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 
 _OF_FRICTION = ("shear_x", "shear_y", "slip_x", "slip_y", "slip_path", "friction_heat")
 _OF_HEAT = ("temperature_lower", "temperature_upper", "heat_flux_lower", "heat_flux_upper")
-CONTACT_FIELDS = ("pressure", "gap", *_OF_FRICTION, *_OF_HEAT)
-"""Fields of the contact, on the surface of the lower body; those after the gap exist only with friction or heat."""
+_OF_EFFECTS = (*_OF_FRICTION, *_OF_HEAT, "current_density")
+CONTACT_FIELDS = ("pressure", "gap", *_OF_EFFECTS)
+"""Fields of the contact, on the surface of the lower body; after the gap those of friction, heat and current."""
 
 TENSORS = ("plastic_strain", "stress")
 """Tensor fields with six components."""
@@ -136,6 +137,8 @@ class ContactFields:
     """Heat flux into the lower body in this step [W/m^2]."""
     heat_flux_upper: FloatArray | None = None
     """Heat flux into the upper body in this step [W/m^2]."""
+    current_density: FloatArray | None = None
+    """Density of the electric current, mean over each cell [A/m^2]."""
 
     def __repr__(self) -> str:
         return f"<ContactFields {cells(self.pressure.shape)}>"
@@ -310,7 +313,7 @@ def _contact(group: h5py.Group) -> ContactFields:
         y=_axis(origin[1], spacing[1], ny),
         pressure=pressure,
         gap=np.asarray(group["gap"][()], dtype=np.float64),
-        **{name: np.asarray(group[name][()], dtype=np.float64) for name in (*_OF_FRICTION, *_OF_HEAT) if name in group},
+        **{name: np.asarray(group[name][()], dtype=np.float64) for name in _OF_EFFECTS if name in group},
     )
 
 

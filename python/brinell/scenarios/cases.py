@@ -70,7 +70,7 @@ class Tugging(ScenarioCase):
                 moves over both bodies. The heat of friction depends on it. The way back from pass to pass takes as long
                 as a pass. In m/s, > 0; default: none; needed where friction heats.
             title: Free text, copied into the results.
-            interface: Friction and wear, `brinell.Interface` or a dictionary.
+            interface: Friction, wear and current, `brinell.Interface` or a dictionary.
             thermal: Effects of heat, `brinell.Heating` or a dictionary.
             grid: Grid settings, `brinell.Grid` or a dictionary.
             solver: Solver settings, `brinell.Solver` or a dictionary.
@@ -101,6 +101,7 @@ class Indentation(ScenarioCase):
         cycles: int | None = None,
         places: Quantity | Sequence[Quantity] | None = None,
         title: str | None = None,
+        interface: Interface | Mapping[str, Any] | None = None,
         grid: Grid | Mapping[str, Any] | None = None,
         solver: Solver | Mapping[str, Any] | None = None,
         output: Output | Mapping[str, Any] | None = None,
@@ -126,6 +127,7 @@ class Indentation(ScenarioCase):
             cycles: Number of times that the list is applied at each place. Allowed: in [1, 10000]; default: 1.
             places: Places along x on the lower body that are indented one after the other. In m; default: [0.0].
             title: Free text, copied into the results.
+            interface: Friction, wear and current, `brinell.Interface` or a dictionary.
             grid: Grid settings, `brinell.Grid` or a dictionary.
             solver: Solver settings, `brinell.Solver` or a dictionary.
             output: Stored results, `brinell.Output` or a dictionary.
@@ -199,7 +201,7 @@ class Rolling(ScenarioCase):
                 with creepage all of them at least as long as the contact takes to roll over its own length; the way
                 back from pass to pass takes as long as a pass. In m/s, > 0; default: none; needed where friction heats.
             title: Free text, copied into the results.
-            interface: Friction and wear, `brinell.Interface` or a dictionary.
+            interface: Friction, wear and current, `brinell.Interface` or a dictionary.
             thermal: Effects of heat, `brinell.Heating` or a dictionary.
             grid: Grid settings, `brinell.Grid` or a dictionary.
             solver: Solver settings, `brinell.Solver` or a dictionary.
@@ -259,7 +261,7 @@ class Fretting(ScenarioCase):
             frequency: Cycles per second, on which the heat of friction depends. Each step of pressing takes as long as
                 one of a cycle. In Hz, > 0; default: none; needed where friction heats.
             title: Free text, copied into the results.
-            interface: Friction and wear, `brinell.Interface` or a dictionary.
+            interface: Friction, wear and current, `brinell.Interface` or a dictionary.
             thermal: Effects of heat, `brinell.Heating` or a dictionary.
             grid: Grid settings, `brinell.Grid` or a dictionary.
             solver: Solver settings, `brinell.Solver` or a dictionary.
@@ -320,7 +322,7 @@ class Sliding(ScenarioCase):
             speed: Speed of the upper body over the lower one, on which the heat of friction depends. A step of pressing
                 or lifting off takes as long as one of sliding. In m/s, > 0; default: none; needed where friction heats.
             title: Free text, copied into the results.
-            interface: Friction and wear, `brinell.Interface` or a dictionary.
+            interface: Friction, wear and current, `brinell.Interface` or a dictionary.
             thermal: Effects of heat, `brinell.Heating` or a dictionary.
             grid: Grid settings, `brinell.Grid` or a dictionary.
             solver: Solver settings, `brinell.Solver` or a dictionary.

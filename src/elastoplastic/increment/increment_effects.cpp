@@ -28,7 +28,7 @@ void find_compliance(ContactParts& c)
 
 Interaction interaction(const ContactParts& c)
 {
-  return {c.interface.get(), c.state.pressure, c.slid};
+  return {c.interface.get(), c.state.pressure, c.state.gap, c.slid};
 }
 
 // Not in the header: the type information of what is compiled for several processors stays there.
@@ -42,13 +42,23 @@ const PartialSlip* CoupledContact::partial_slip() const
   return dynamic_cast<const PartialSlip*>(interface());
 }
 
-const Wear* CoupledContact::wear() const
+template <typename Kind>
+const Kind* effect_of_kind(std::span<const std::unique_ptr<Effect>> effects)
 {
-  const ContactParts& c = *parts_;
-  for (const std::unique_ptr<Effect>& one : c.effects)
-    if (const auto* found = dynamic_cast<const Wear*>(one.get()))
+  for (const std::unique_ptr<Effect>& one : effects)
+    if (const auto* found = dynamic_cast<const Kind*>(one.get()))
       return found;
   return nullptr;
+}
+
+const Wear* CoupledContact::wear() const
+{
+  return effect_of_kind<Wear>(parts_->effects);
+}
+
+const Current* CoupledContact::current() const
+{
+  return effect_of_kind<Current>(parts_->effects);
 }
 
 void begin_effects(ContactParts& c)

@@ -75,8 +75,9 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
         *sliding.heat, twin, HeatNumerics{settings.shortcuts, c.may_stick()});
   if (twin != Twin::none && !sliding.effects.are_alike())
     throw InternalError("CoupledContact: bodies on which an effect acts in different ways are not twins");
-  c.effects = make_effects(sliding.effects, contact, lower.surface, upper.surface,
-                           contact_modulus(lower_material.elastic, upper_material.elastic));
+  c.effects =
+      make_effects(sliding.effects, c.compliance, lower.surface, upper.surface,
+                   contact_modulus(lower_material.elastic, upper_material.elastic), {&lower_material, &upper_material});
   const auto half_space = operators(lower, lower_material.elastic);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),

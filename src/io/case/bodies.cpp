@@ -86,6 +86,7 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   if (deforms)
     result.elastic = {reader.get<double>(table + "young_modulus"), reader.get<double>(table + "poisson_ratio")};
   read_thermal(reader, table + "thermal.", result);
+  read_electrical(reader, table + "electrical.", result);
   if (!deforms)
     return result;
   const std::string hardening = table + "hardening.", law = hardening + "law";

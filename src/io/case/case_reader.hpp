@@ -129,6 +129,10 @@ Product made(const CaseReader& reader, const std::string& table, const Option<Pr
 /// @param table  ends with a dot
 void read_thermal(const CaseReader& reader, const std::string& table, constitutive::Material& material);
 
+/// Reads the electrical constants, if there are any.
+/// @param table  ends with a dot
+void read_electrical(const CaseReader& reader, const std::string& table, constitutive::Material& material);
+
 /// Reads the softening law; none if no law is given.
 /// @param table  ends with a dot
 /// @throws InputError if its keys do not fit together

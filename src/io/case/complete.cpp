@@ -291,7 +291,7 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
   constexpr bool can_heat = std::derived_from<typename ScenarioCase::Record, simulation::HeatedRecord>;
   const bool has_source = scenario.friction.coefficient > 0.0 || scenario.heat.source.exists();
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
-    if (body->material.thermal && !(can_heat && has_source))
+    if (body->material.thermal && !(can_heat && has_source) && !body->material.electrical)
       warn(c, "no_heat", "{}.material.thermal has no effect: {}", name,
            can_heat ? "without interface.friction or thermal.source there is no heat"
                     : "no heat is computed in this scenario");

@@ -26,12 +26,14 @@ constexpr std::array tables{Names{"TuggingCase", "tugging"},
                             Names{"Settings", "solver"},
                             Names{"Friction", "interface"},
                             Names{"WearLaw", "interface.wear"},
+                            Names{"CurrentDrive", "interface"},
                             Names{"HeatSettings", "thermal"},
                             Names{"HeatSource", "thermal.source"}};
 
 /// Members whose keys have other names, or are in other tables.
 constexpr std::array others{Names{"Friction::coefficient", "interface.friction"},
                             Names{"WearLaw::kind", "interface.wear.law"},
+                            Names{"CurrentDrive::film", "interface.film_resistance"},
                             Names{"HeatSettings::fraction", "interface.heat_fraction"},
                             Names{"HeatSettings::of_plastic_work", "thermal.heat_of_plastic_work"},
                             Names{"lower.material.temperature", "lower.material.thermal.temperature"},

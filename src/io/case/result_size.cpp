@@ -74,11 +74,13 @@ double numbers_of_state(const Case& c, const ScenarioPlan& any_plan, const Words
         const bool has_friction = numerics.friction.coefficient > 0.0;
         const bool has_heat = (scenario.lower.material.thermal || scenario.upper.material.thermal) &&
                               (has_friction || numerics.heat.source.exists());
+        const bool conducts = scenario.lower.material.electrical && scenario.upper.material.electrical;
         const auto chosen = [&](bool exists, std::string_view field, double count)
         { return exists && chooses(words, field) ? count : 0.0; };
         const double in_contact = 2.0 + chosen(has_friction, "shear_x", 2.0) + chosen(has_friction, "slip_x", 3.0) +
                                   chosen(has_friction, "friction_heat", 1.0) +
-                                  chosen(has_heat, "temperature_lower", 2.0) + chosen(has_heat, "heat_flux_lower", 2.0);
+                                  chosen(has_heat, "temperature_lower", 2.0) +
+                                  chosen(has_heat, "heat_flux_lower", 2.0) + chosen(conducts, "current_density", 1.0);
         const double stride = parts.cells.stride;
         double numbers = in_contact * static_cast<double>(plan.contact.size()) / (stride * stride);
         if (parts.bodies != StoredBodies::upper)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <concepts>
 
-/// Keys of the interface: friction, its heat, wear.
+/// Keys of the interface: friction, its heat, wear, electric current.
 namespace brinell::io
 {
 
@@ -100,12 +100,40 @@ std::vector<Entry> wear_entries()
   };
 }
 
+/// Keys of the electric current, for all scenarios.
+std::vector<Entry> current_entries()
+{
+  using elastoplastic::CurrentDrive;
+  constexpr CurrentDrive simulation::Numerics::*drive = &simulation::Numerics::current;
+  const auto entry = [](Entry given, auto member) { return bound(std::move(given), drive, member); };
+  return {
+      entry({.key = "interface.current",
+             .of = kind::current.at_least(0.0),
+             .unset = "no current",
+             .text = "Electric current between bodies that both have an electrical resistivity; over a period, that "
+                     "of one period.",
+             .excludes = "interface.voltage"},
+            &CurrentDrive::current),
+      entry({.key = "interface.voltage",
+             .of = kind::voltage.at_least(0.0),
+             .unset = "no current",
+             .text = "Voltage between points of the two bodies far from the contact, in place of a current.",
+             .excludes = "interface.current"},
+            &CurrentDrive::voltage),
+      entry({.key = "interface.film_resistance",
+             .of = kind::area_resistance.at_least(0.0),
+             .text = "Resistance times area of a film between the surfaces, such as an oxide. 0: no film."},
+            &CurrentDrive::film),
+  };
+}
+
 } // namespace
 
 std::vector<Entry> interface_entries()
 {
   return joined(
       {friction_entries(),
+       current_entries(),
        {of_heat({.key = "interface.heat_fraction",
                  .of = kind::number.between(0.0, 1.0),
                  .text = "Share of the friction power that heats the two bodies, if they have thermal constants."},

@@ -248,6 +248,25 @@ Entries thermal_entries(const std::string& material)
       });
 }
 
+/// Keys of the electrical constants of a material.
+Entries electrical_entries(const std::string& material)
+{
+  return in_table(material + "electrical.", {},
+                  {
+                      {.key = "resistivity",
+                       .of = kind::resistivity.above(0.0),
+                       .unset = "the body insulates",
+                       .text = "Resistivity at 20 degC. If both bodies have one, the resistance of their contact is "
+                               "found, and the current that interface.current or interface.voltage drives.",
+                       .hint = "copper has 1.7e-8 ohm m, a steel about 2e-7 ohm m"},
+                      {.key = "temperature_coefficient",
+                       .of = kind::expansion.at_least(0.0),
+                       .unset = "0",
+                       .text = "Growth of the resistivity per degree, over the resistivity at 20 degC.",
+                       .hint = "pure metals have about 4e-3 1/K"},
+                  });
+}
+
 /// Keys of softening: how the yield stress falls with temperature.
 /// @param yields  condition that the material has a yield stress
 Entries softening_entries(const std::string& material, const Condition& yields)
@@ -310,7 +329,7 @@ std::vector<Entry> material_entries(const std::string& material)
   return joined({elastic_entries(material), hardening_entries(material + "hardening.", yields),
                  curve_entries(material + "hardening."), conversion_entries(material + "hardening."),
                  back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
-                 thermal_entries(material), softening_entries(material, yields)});
+                 thermal_entries(material), electrical_entries(material), softening_entries(material, yields)});
 }
 
 } // namespace brinell::io

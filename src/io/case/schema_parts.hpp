@@ -132,6 +132,8 @@ inline constexpr ValueKind length{.dimension = dimension::length}, force{.dimens
     power{.dimension = dimension::power}, heat_flux{.dimension = dimension::heat_flux},
     density{.dimension = dimension::density}, specific_heat{.dimension = dimension::specific_heat},
     expansion{.dimension = dimension::expansion}, wear{.dimension = dimension::wear},
+    current{.dimension = dimension::current}, voltage{.dimension = dimension::voltage},
+    resistivity{.dimension = dimension::resistivity}, area_resistance{.dimension = dimension::area_resistance},
     duration{.dimension = {.time = 1}}, frequency{.dimension = {.time = -1}}, per_length{.dimension = {.length = -1}};
 } // namespace kind
 

@@ -95,7 +95,7 @@ A case is a [TOML](https://toml.io) file. Dotted keys and tables mean the same: 
 
 **Units.** A bare number is SI, but for angles, which are in degrees, and temperatures, in degrees Celsius. A string
 carries its unit: `"3.85 mm"`, `"200 GPa"`, `"911.5 N/mm^2"`, `"2 µm"`. Units are products of m, g, s, K, N, Pa, bar, J,
-W, rad with the prefixes p n u (or µ) c m k M G T, and of in (or inch), angstrom (or Å), kgf and HV (Vickers hardness as
+W, A, V, ohm (or Ω), rad with the prefixes p n u (or µ) c m k M G T, and of in (or inch), angstrom (or Å), kgf and HV (Vickers hardness as
 a pressure, kgf/mm²: about three times the yield stress) without prefixes, `*` or a space between, `/` before each one
 that divides or before parentheses, as in `"50 W/(m K)"`. A temperature has `degC` or `K`, an angle `deg`, `rad` or
 `mrad`. A quantity of the wrong dimension is an error.

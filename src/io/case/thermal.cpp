@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_reader.hpp"
 
-/// Reading of the thermal constants and the softening law of a material.
+/// Reading of the thermal and electrical constants and the softening law of a material.
 namespace brinell::io
 {
 
@@ -25,6 +25,18 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
                              .specific_heat = number("specific_heat", 0.0),
                              .expansion = number("expansion", 0.0)};
   material.temperature = number("temperature", material.temperature);
+}
+
+void read_electrical(const CaseReader& reader, const std::string& table, constitutive::Material& material)
+{
+  if (reader.has(table + "resistivity"))
+    material.electrical = {reader.get<double>(table + "resistivity"),
+                           reader.get_or(table + "temperature_coefficient", 0.0)};
+  else if (reader.has(table + "temperature_coefficient"))
+  {
+    const Entry& entry = *find_entry(table + "resistivity");
+    reader.missing(entry.key, fmt::format("{}; {}", allowed_values(entry), entry.hint));
+  }
 }
 
 std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader, const std::string& table)

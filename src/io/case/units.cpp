@@ -44,6 +44,11 @@ constexpr std::array units{
     Unit{"bar", {.mass = 1, .length = -1, .time = -2}, 5},
     Unit{"J", {.mass = 1, .length = 2, .time = -2}},
     Unit{"W", {.mass = 1, .length = 2, .time = -3}},
+    Unit{"A", dimension::current},
+    Unit{"V", dimension::voltage},
+    Unit{"ohm", {.mass = 1, .length = 2, .time = -3, .current = -2}},
+    Unit{"\u03a9", {.mass = 1, .length = 2, .time = -3, .current = -2}}, // Greek letter, and the sign
+    Unit{"\u2126", {.mass = 1, .length = 2, .time = -3, .current = -2}},
     Unit{"rad", {}}, // only per length; plain angles are read by `degrees`
     Unit{"Hz", {.time = -1}},
     Unit{"%", {}, -2, false},
@@ -94,6 +99,11 @@ constexpr std::array named_dimensions{
     NamedDimension{dimension::specific_heat, "specific heat", "J/(kg K)", "460 J/(kg K)"},
     NamedDimension{dimension::wear, "wear coefficient", "1/Pa", "1e-6 mm^3/(N m)"},
     NamedDimension{dimension::expansion, "thermal expansion", "1/K", "12e-6 1/K"},
+    NamedDimension{dimension::current, "electric current", "A", "5 A"},
+    NamedDimension{dimension::voltage, "voltage", "V", "20 mV"},
+    NamedDimension{{.mass = 1, .length = 2, .time = -3, .current = -2}, "resistance", "ohm", "2 mohm"},
+    NamedDimension{dimension::resistivity, "resistivity", "ohm m", "1.7e-8 ohm m"},
+    NamedDimension{dimension::area_resistance, "area resistance", "ohm m^2", "1e-12 ohm m^2"},
 };
 
 const NamedDimension* find(Dimension dimension)
@@ -118,6 +128,7 @@ std::string base_units(Dimension d)
   add("m", d.length);
   add("s", d.time);
   add("K", d.temperature);
+  add("A", d.current);
   return text;
 }
 
@@ -190,6 +201,7 @@ void multiply(Unit& product, const Unit& factor, int exponent)
   product.dimension.length += factor.dimension.length * exponent;
   product.dimension.time += factor.dimension.time * exponent;
   product.dimension.temperature += factor.dimension.temperature * exponent;
+  product.dimension.current += factor.dimension.current * exponent;
 }
 
 /// Rewrites "W/(m K)" as "W/m/K", and "1/K" as "/K". Other parentheses remain, and are rejected later.
@@ -207,10 +219,10 @@ Unit unit_expression(std::string_view whole)
 {
   const auto bad = [&](std::string_view what, const std::string& hint = "")
   {
-    return InputError(fmt::format(
-        "has the {} \"{}\"{}; known are m, g, s, K, N, Pa, bar, J, W, rad with the prefixes p n u c m k M G T, "
-        "and in, angstrom, kgf, HV, as in \"mm\", \"GPa\", \"N/mm^2\"",
-        what, whole, hint));
+    return InputError(fmt::format("has the {} \"{}\"{}; known are m, g, s, K, N, Pa, bar, J, W, A, V, ohm, rad with "
+                                  "the prefixes p n u c m k M G T, "
+                                  "and in, angstrom, kgf, HV, as in \"mm\", \"GPa\", \"N/mm^2\"",
+                                  what, whole, hint));
   };
   static const Pattern factor(R"([ \t]*([*/]?)[ \t]*([^*/^ \t+.0-9-]+)(?:\^?(-?[0-9]{1,9}))?)");
   std::string text = replaced(std::string(whole), "\u00b7", "*"); // middle dot

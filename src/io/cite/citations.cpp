@@ -101,6 +101,11 @@ std::vector<Citation> citations(const Case& c)
                                                                  : "shape of dents and bumps");
         if (scenario.wear.wears())
           sources.add("archard1953", "worn depth by pressure and slip");
+        if (scenario.lower.material.electrical && scenario.upper.material.electrical)
+        {
+          sources.add("barber2003", "resistance of a contact by its stiffness");
+          sources.add("kohlrausch1900", "temperature of a contact by its voltage");
+        }
         cite_hardening(sources, "lower", scenario.lower.material);
         cite_hardening(sources, "upper", scenario.upper.material);
         if (yields)

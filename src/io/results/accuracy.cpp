@@ -23,9 +23,10 @@ namespace
 struct Results
 {
   std::vector<std::string> parts{"energy", "residual"};
-  /// Numbers in these parts that are not results: positions, indices, the error of the energy balance, and a quantity that
-  /// depends on the steps.
-  std::set<std::string_view> excluded{"x_m", "balance_error", "max_depth_of_an_increment_m"};
+  /// Numbers in these parts that are not results: positions, indices, the error of the energy balance, and quantities that
+  /// depend on the steps or the cells.
+  std::set<std::string_view> excluded{"x_m", "balance_error", "max_depth_of_an_increment_m", "spots",
+                                      "max_density_A_m2"};
 };
 
 Results results_of_all_scenarios()

@@ -153,7 +153,7 @@ void cut(Snapshot& contact, const StoredCells& cells)
   const auto cut_fields = [&](auto&... fields) { ((fields = part_of(fields, grid, one_layer, x, y)), ...); };
   cut_fields(contact.pressure, contact.gap, contact.shear[0], contact.shear[1], contact.slip[0], contact.slip[1],
              contact.slip_path, contact.friction_heat, contact.temperature[0], contact.temperature[1],
-             contact.heat_flux[0], contact.heat_flux[1]);
+             contact.heat_flux[0], contact.heat_flux[1], contact.current_density);
   contact.contact.nx = x.count;
   contact.contact.ny = y.count;
   contact.contact.dx *= x.stride;
@@ -201,7 +201,8 @@ const std::vector<std::string>& field_words()
                                               "slip",
                                               "friction_heat",
                                               "surface_temperature",
-                                              "heat_flux"};
+                                              "heat_flux",
+                                              "current_density"};
   return words;
 }
 
@@ -240,6 +241,7 @@ StepFields chosen_fields(const StepFields& fields, const std::vector<std::string
   drop("slip_y", s.slip[1]);
   drop("slip_path", s.slip_path);
   drop("friction_heat", s.friction_heat);
+  drop("current_density", s.current_density);
   for (std::size_t side = 0; side < 2; ++side)
   {
     drop("temperature_lower", s.temperature[side]);

@@ -128,9 +128,10 @@ Json energy_json(const RunTotals& s)
 }
 
 /// Adds the totals of each effect between the surfaces that acts.
-void put_effects(Json& json, const elastoplastic::Effects& effects, const RunTotals& s)
+template <typename ScenarioCase>
+void put_effects(Json& json, const ScenarioCase& c, const RunTotals& s)
 {
-  for (const std::string_view name : elastoplastic::names_of(effects))
+  for (const std::string_view name : elastoplastic::names_of(c, {&c.lower.material, &c.upper.material}))
     for (const elastoplastic::EffectColumn& total : elastoplastic::effect_columns)
       if (total.effect == name)
         std::visit([&](auto value) { json[std::string(name)][std::string(total.in_summary)] = value; },

@@ -27,7 +27,7 @@ struct SurfaceField
 };
 
 /// Fields on the contact grid.
-[[nodiscard]] inline std::array<SurfaceField, 12> surface_fields(const simulation::Snapshot& s)
+[[nodiscard]] inline std::array<SurfaceField, 13> surface_fields(const simulation::Snapshot& s)
 {
   return {{
       {"pressure", s.pressure, "Pa", "contact pressure, compression positive"},
@@ -42,6 +42,7 @@ struct SurfaceField
       {"temperature_upper", s.temperature[1], "degC", "temperature of the upper surface", unknown},
       {"heat_flux_lower", s.heat_flux[0], "W/m^2", "heat of friction into the lower body"},
       {"heat_flux_upper", s.heat_flux[1], "W/m^2", "heat of friction into the upper body"},
+      {"current_density", s.current_density, "A/m^2", "density of the electric current, mean over each cell"},
   }};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/fretting.hpp"
+#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
@@ -159,6 +160,7 @@ FrettingPlan plan(const FrettingCase& fretting)
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
   require_amplitude(fretting, f);
+  require_current(fretting, fretting.lower, fretting.upper);
   require_wear(fretting,
                fretting.amplitude > 0.0 && fretting.cycles > 0
                    ? ""

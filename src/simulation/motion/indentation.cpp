@@ -8,6 +8,7 @@
 #include "period.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
+#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
@@ -39,7 +40,9 @@ public:
 
   [[nodiscard]] Stepper::Setup setup() const
   {
-    return shaped_setup(case_.lower, case_.upper, case_.solver, {case_.places.front(), 0.0});
+    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {case_.places.front(), 0.0});
+    setup.sliding.effects.current = case_.current;
+    return setup;
   }
   [[nodiscard]] Centre centre() const { return {x(std::max(done_ - 1, 0)), 0.0}; }
   [[nodiscard]] bool is_done() const { return done_ == steps_; }
@@ -208,6 +211,7 @@ IndentationPlan plan(const IndentationCase& indentation)
 {
   require_friction(indentation, indentation.lower, indentation.upper,
                    "the surfaces do not slide in an indentation; allowed: 0, or another scenario");
+  require_current(indentation, indentation.lower, indentation.upper);
   require_drives(indentation);
   const contact::Drive largest = largest_drive(indentation);
   require_approach(indentation, largest);

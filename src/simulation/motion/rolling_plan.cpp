@@ -2,6 +2,7 @@
 #include "rolling_plan.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
@@ -102,6 +103,7 @@ RollingPlan plan(const RollingCase& rolling)
             "`RollingCase::creepage`"
           : "";
   require_friction(rolling, rolling.lower, rolling.upper, why_not);
+  require_current(rolling, rolling.lower, rolling.upper);
   require_wear(rolling, why_not);
   require_heat(rolling, rolling.lower, rolling.upper,
                {.speed = rolling.speed,

@@ -5,6 +5,7 @@
 #include "brinell/foundation/error.hpp"
 #include "foundation/nan.hpp"
 #include "period.hpp"
+#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
@@ -133,6 +134,7 @@ halfspace::HeatTimes heat_times(const SlidingCase& sliding, const SlidingPlan& p
 SlidingPlan plan(const SlidingCase& sliding)
 {
   require_friction(sliding, sliding.lower, sliding.upper, "");
+  require_current(sliding, sliding.lower, sliding.upper);
   require_wear(sliding, "");
   require_motion(sliding);
   require_press(sliding);

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/simulation/first_yield.hpp"
+#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
@@ -264,6 +265,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 TuggingPlan plan(const TuggingCase& tugging)
 {
   require_friction(tugging, tugging.lower, tugging.upper, "");
+  require_current(tugging, tugging.lower, tugging.upper);
   require_wear(tugging, "");
   require_heat(tugging, tugging.lower, tugging.upper, {.speed = tugging.speed, .speed_name = "`TuggingCase::speed`"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})

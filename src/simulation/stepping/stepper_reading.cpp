@@ -158,6 +158,8 @@ StepFields Stepper::fields(const Centre& centre) const
   s.upper = surface_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
   set_heat(*pair_, s);
   set_surfaces(*pair_, s);
+  if (const elastoplastic::Current* current = pair_->current())
+    s.current_density.assign(current->density().begin(), current->density().end());
   fields.are_alike = plan_.twin == elastoplastic::Twin::alike && frame.placement.lower == frame.placement.upper;
   if (plan_.surfaces_only)
     return fields;

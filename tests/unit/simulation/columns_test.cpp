@@ -35,12 +35,11 @@ consteval std::size_t arity()
     return sizeof...(Values);
 }
 
-/// Totals of all effects between the surfaces: the bases of EffectTotals.
-constexpr std::size_t members_of_effects = arity<elastoplastic::WearTotals>();
-
-/// Rows of scenarios in which effects between the surfaces may act: where they slip.
+/// Totals of the effects between the surfaces: the bases of EffectTotals. Wear acts where the surfaces slip.
 template <typename Row>
-constexpr bool has_effects = std::derived_from<Row, FrictionRecord>;
+constexpr std::size_t members_of_effects = arity<elastoplastic::CurrentTotals>() +
+                                           (std::derived_from<Row, FrictionRecord> ? arity<elastoplastic::WearTotals>()
+                                                                                   : 0);
 
 /// Members of what a row derives from: those of the totals without their base, the coverage, and the work of expansion, which is
 /// nothing where nothing heats; and its own beside this base.
@@ -48,10 +47,10 @@ constexpr std::size_t members_of_all_rows = (arity<RunningTotals>() - 3) + (arit
 
 /// Some rows derive from those of sliding surfaces, and of them some from those that friction heats, with the work of expansion.
 template <typename Row>
-constexpr std::size_t members_of_row = members_of_all_rows +
-                                       (std::derived_from<Row, FrictionRecord> ? arity<FrictionRecord>() - 1 : 0) +
-                                       (std::derived_from<Row, HeatedRecord> ? arity<HeatedRecord>() : 0) +
-                                       (has_effects<Row> ? members_of_effects : 0) + (arity<Row>() - 1);
+constexpr std::size_t
+    members_of_row = members_of_all_rows + (std::derived_from<Row, FrictionRecord> ? arity<FrictionRecord>() - 1 : 0) +
+                     (std::derived_from<Row, HeatedRecord> ? arity<HeatedRecord>() : 0) + members_of_effects<Row> +
+                     (arity<Row>() - 1);
 
 template <typename Record>
 class ColumnsOf : public testing::Test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/constitutive/material.hpp"
+#include "brinell/contact/constriction.hpp"
+#include "brinell/contact/contact_voltage.hpp"
+#include "brinell/elastoplastic/effect.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Electric current between two bodies: docs/theory/electrical.md.
+namespace brinell::elastoplastic
+{
+
+/// Drive of a current between two bodies that conduct, and a film between them. Without current and voltage only the
+/// resistance is found.
+struct CurrentDrive
+{
+  std::optional<double> current{}; ///< [A], >= 0; over a period, that of one period
+  std::optional<double> voltage{}; ///< between points far from the contact [V], >= 0
+  double film = 0.0;               ///< area resistance of a film between the surfaces [ohm m^2], >= 0
+  bool operator==(const CurrentDrive&) const = default;
+};
+
+/// Numbers of the current at the end of a step; zero unless both bodies conduct, NaN where there is no steady state.
+struct CurrentTotals
+{
+  double contact_resistance = 0.0;  ///< [ohm]; infinite without contact
+  double current = 0.0;             ///< [A]
+  double voltage = 0.0;             ///< [V]; infinite for a current without contact
+  double electric_power = 0.0;      ///< [W]
+  double max_current_density = 0.0; ///< largest mean over a cell [A/m^2]
+  int current_spots = 0;            ///< patches of the contact
+  double largest_spot_share = 0.0;  ///< of a patch in the current
+  double contact_temperature = 0.0; ///< largest one, steady, by the current alone [deg C]
+  // Since the start
+  double min_contact_resistance = 0.0;  ///< [ohm]
+  double max_contact_temperature = 0.0; ///< [deg C]
+};
+
+/// Current through the contact at the end of each increment. It acts on nothing else.
+class Current final : public Effect
+{
+public:
+  using Materials = std::array<const constitutive::Material*, 2>; ///< of the lower and the upper body
+
+  /// @param compliance  of the contact; must outlive this object
+  /// @param modulus     of the contact [Pa]
+  Current(const halfspace::SurfaceCompliance& compliance, double modulus, const Materials& materials,
+          const CurrentDrive& drive);
+
+  [[nodiscard]] static bool flows(const Materials& materials)
+  {
+    return materials[0]->electrical && materials[1]->electrical;
+  }
+
+  [[nodiscard]] std::string_view name() const override { return "current"; }
+  void begin(const Interaction& /*before*/) override {}
+  double evaluate(const Interaction& /*trial*/) override { return 0.0; }
+  /// Finds resistance and current of the contact.
+  void commit(const Interaction& found, const Placement& placement) override;
+  /// Density of the current, mean over each cell of the contact grid [A/m^2].
+  [[nodiscard]] std::span<const double> density() const { return state_.density; }
+
+  void report(EffectTotals& totals) const override;
+  void exchange(Archive& archive) override { exchange_members(archive, state_); }
+  void embed(const Effect& smaller_grids) override;
+
+private:
+  struct State
+  {
+    std::vector<double> density;  ///< [A/m^2]
+    std::vector<double> per_volt; ///< guess of the next solution [A/(V m^2)]
+    double resistance = 0.0, current = 0.0, voltage = 0.0, largest_density = 0.0, largest_share = 0.0,
+           temperature = 0.0;
+    double least_resistance = std::numeric_limits<double>::infinity();
+    double largest_temperature = -std::numeric_limits<double>::infinity();
+    int spots = 0;
+
+    static constexpr auto table()
+    {
+      return std::tuple{listed(&State::density, {"density"}, {.is_sized = true}),
+                        listed(&State::per_volt, {"per_volt"}, {.is_sized = true}),
+                        listed(&State::resistance, {"resistance"}),
+                        listed(&State::current, {"current"}),
+                        listed(&State::voltage, {"voltage"}),
+                        listed(&State::largest_density, {"largest_density"}),
+                        listed(&State::largest_share, {"largest_share"}),
+                        listed(&State::temperature, {"temperature"}),
+                        listed(&State::least_resistance, {"least_resistance"}),
+                        listed(&State::largest_temperature, {"largest_temperature"}),
+                        listed(&State::spots, {"spots"})};
+    }
+  };
+
+  void drive_through(const contact::Flow& flow, std::span<const double> pressure);
+  void heat_up(const contact::Flow& flow, std::span<const double> pressure);
+
+  contact::Constriction constriction_;
+  SurfaceGrid grid_;
+  std::array<contact::HotConductor, 2> bodies_;
+  double spreading_; ///< sum of the resistivities far from the contact [ohm m]
+  CurrentDrive drive_;
+  std::vector<double> film_; ///< [ohm m^2], on the contact grid; empty: none
+  State state_;
+};
+
+} // namespace brinell::elastoplastic

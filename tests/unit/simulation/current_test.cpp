@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Electric current in runs of every scenario: what it depends on, what it leaves alone, what is refused.
+#include "brinell/foundation/error.hpp"
+#include "brinell/quality/quality.hpp"
+#include "brinell/simulation/run.hpp"
+#include "brinell/simulation/scenarios.hpp"
+#include "template_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace brinell::simulation::current_test
+{
+namespace
+{
+
+constexpr constitutive::Electrical copper{1.7e-8, 4e-3}, bronze{1.2e-7, 0.0};
+
+template <typename Case>
+Case conducting()
+{
+  Case c = test::template_case<Case>();
+  c.lower.material.electrical = bronze;
+  c.upper.material.electrical = copper;
+  c.current.voltage = 0.05;
+  return c;
+}
+
+template <typename Case>
+std::vector<typename Case::Record> rows_of(const Case& c)
+{
+  simulation::Run<Case> run(c);
+  std::vector<typename Case::Record> rows;
+  while (!run.is_done())
+    rows.push_back(run.step());
+  return rows;
+}
+
+template <typename Case>
+class CurrentTest : public testing::Test
+{
+};
+TYPED_TEST_SUITE(CurrentTest, Scenarios<testing::Types>);
+
+TYPED_TEST(CurrentTest, FollowsTheContactAndLeavesItAlone)
+{
+  const TypeParam with = conducting<TypeParam>();
+  TypeParam without = with;
+  without.current = {};
+  without.lower.material.electrical.reset();
+  const auto rows = rows_of(with), plain = rows_of(without);
+  ASSERT_EQ(rows.size(), plain.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const auto& row = rows[i];
+    EXPECT_EQ(row.F_n, plain[i].F_n);
+    EXPECT_EQ(row.work, plain[i].work);
+    EXPECT_EQ(plain[i].contact_resistance, 0.0);
+    if (row.F_n == 0.0)
+    {
+      EXPECT_TRUE(std::isinf(row.contact_resistance));
+      EXPECT_EQ(row.current, 0.0);
+      continue;
+    }
+    EXPECT_NEAR(row.current * row.contact_resistance, 0.05, 1e-10);
+    EXPECT_GE(row.current_spots, 1);
+    EXPECT_GT(row.contact_temperature, 30.0);
+    // No area of this size conducts better than many small spots, nor worse than a disc.
+    const double disc =
+        (bronze.resistivity + copper.resistivity) / (4.0 * std::sqrt(row.contact_area / std::numbers::pi));
+    EXPECT_LT(row.contact_resistance, 1.1 * disc);
+    EXPECT_GT(row.contact_resistance, 0.2 * disc);
+    least = std::min(least, row.contact_resistance);
+  }
+  EXPECT_EQ(rows.back().min_contact_resistance, least);
+}
+
+TYPED_TEST(CurrentTest, GoesOnFromACheckpointToTheLastDigit)
+{
+  const TypeParam c = conducting<TypeParam>();
+  simulation::Run<TypeParam> whole(c);
+  std::vector<Archive::Fields> checkpoints;
+  while (!whole.is_done())
+  {
+    whole.step();
+    checkpoints.push_back(whole.checkpoint());
+  }
+  for (const std::size_t at : {checkpoints.size() / 3, checkpoints.size() / 2, checkpoints.size() - 1})
+  {
+    simulation::Run<TypeParam> later(c, {}, &checkpoints[at]);
+    while (!later.is_done())
+      later.step();
+    EXPECT_EQ(later.snapshot().current_density, whole.snapshot().current_density) << at;
+    EXPECT_EQ(later.summary().min_contact_resistance, whole.summary().min_contact_resistance) << at;
+    EXPECT_EQ(later.summary().max_contact_temperature, whole.summary().max_contact_temperature) << at;
+  }
+}
+
+TYPED_TEST(CurrentTest, IsTheSameOnBothSidesOfAMirror)
+{
+  TypeParam c = conducting<TypeParam>();
+  const auto by_halves = rows_of(c);
+  c.solver.symmetry = false;
+  c.solver.mirror = false;
+  const auto whole = rows_of(c);
+  ASSERT_EQ(whole.size(), by_halves.size());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if (whole[i].F_n > 0.0)
+    {
+      EXPECT_NEAR(by_halves[i].contact_resistance / whole[i].contact_resistance, 1.0, 1e-3) << i;
+    }
+}
+
+IndentationCase ball()
+{
+  IndentationCase c = conducting<IndentationCase>();
+  c.lower.material.hardening.reset();
+  c.upper.material.hardening.reset();
+  c.sequence = {{contact::Drive::Kind::load, 1.0}};
+  c.steps = 3;
+  return c;
+}
+
+TEST(Current, CurrentAndVoltageFollowFromEachOther)
+{
+  IndentationCase c = ball();
+  const IndentationRecord by_voltage = rows_of(c).back();
+  c.current = {.current = by_voltage.current};
+  const IndentationRecord by_current = rows_of(c).back();
+  EXPECT_NEAR(by_current.voltage, 0.05, 1e-9);
+  EXPECT_NEAR(by_current.contact_temperature, by_voltage.contact_temperature, 1e-6);
+  c.current = {};
+  EXPECT_LT(rows_of(c).back().contact_resistance, by_current.contact_resistance); // cold
+  EXPECT_EQ(rows_of(c).back().contact_temperature, 20.0);
+}
+
+TEST(Current, TheExpectedErrorHoldsAgainstFinerCells)
+{
+  // Of an elastic ball, whose exact resistance is known, at the load of which the pressure is found.
+  for (const double resolution : {4.0, 5.0, 6.5, 8.0, 11.0, 16.0})
+  {
+    IndentationCase c = ball();
+    c.upper.material.electrical->temperature_coefficient = 0.0;
+    c.resolution = resolution;
+    const double modulus = contact_modulus(c.lower.material.elastic, c.upper.material.elastic);
+    const double curvature = (*relative_curvature(c.lower.shape, c.upper.shape))[0];
+    const double exact = (bronze.resistivity + copper.resistivity) / (4.0 * std::cbrt(0.75 / (modulus * curvature)));
+    simulation::Run<IndentationCase> run(c);
+    while (!run.is_done())
+      run.step();
+    const quality::Quality found = quality::judged(c, plan(c), run.summary());
+    const auto error = std::find_if(found.resolution.expected_errors.begin(), found.resolution.expected_errors.end(),
+                                    [](const auto& e) { return e.quantity == std::string("contact resistance"); });
+    ASSERT_NE(error, found.resolution.expected_errors.end());
+    const double actual = run.summary().last.contact_resistance / exact - 1.0;
+    EXPECT_LT(std::abs(actual), error->relative) << resolution;
+  }
+}
+
+TEST(Current, RefusesWhatCannotFlow)
+{
+  const auto refused = [](const char* what, const auto& change)
+  {
+    IndentationCase c = ball();
+    change(c);
+    try
+    {
+      static_cast<void>(plan(c));
+      ADD_FAILURE() << "not refused: " << what;
+    }
+    catch (const PlanError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+  };
+  refused("insulates", [](auto& c) { c.lower.material.electrical.reset(); });
+  refused("each follows from the other", [](auto& c) { c.current.current = 1.0; });
+  refused("CurrentDrive::voltage` = -1", [](auto& c) { c.current.voltage = -1.0; });
+  refused("lower.material.electrical.resistivity` = 0",
+          [](auto& c) { c.lower.material.electrical->resistivity = 0.0; });
+  refused("temperature_coefficient` = -0.1",
+          [](auto& c) { c.lower.material.electrical->temperature_coefficient = -0.1; });
+  refused("through a film", [](auto& c) { c.current.film = 1e-12; });
+  refused("CurrentDrive::film", [](auto& c) { c.current.film = -1e-12; });
+}
+
+TEST(Current, IsWarnedOfWhereBodiesDoNotFeelIt)
+{
+  IndentationCase c = conducting<IndentationCase>();
+  c.current.voltage = 0.3;
+  simulation::Run<IndentationCase> run(c);
+  while (!run.is_done())
+    run.step();
+  const auto warnings = quality::judged(c, plan(c), run.summary()).warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const auto& w) { return w.key == "hot_current"; }));
+}
+
+} // namespace
+} // namespace brinell::simulation::current_test
