@@ -54,7 +54,7 @@ double yield_excess(const simulation::BodySnapshot& body, const Material& materi
 /// What the runs of one scenario came to.
 struct Outcome
 {
-  int converged = 0, refused = 0, split = 0, grown = 0, compared = 0;
+  int converged = 0, refused = 0, split = 0, grown = 0, compared = 0, conducting = 0;
   double evaluations = 0.0, steps = 0.0, largest_excess = 0.0;
   std::vector<double> balance; ///< errors of the energy balance with the path integration
 
@@ -93,6 +93,12 @@ struct Outcome
     EXPECT_GE(s.dissipation_upper, 0.0);
     if (c.wear.wears())
       look_at_wear(c.wear, s);
+    if (c.lower.material.electrical)
+    {
+      ++conducting;
+      for (const auto& row : result.history)
+        look_at_current(c.current, row);
+    }
     ++converged;
     grown += s.grid_changes.empty() ? 0 : 1;
     split += s.split_increments;
@@ -122,6 +128,30 @@ struct Outcome
                 1e-9 * law.sum() * (s.worn_volume_lower + s.worn_volume_upper));
     for (const double x : {s.worn_volume_lower, s.worn_volume_upper, s.max_worn_depth_lower, s.max_worn_depth_upper})
       EXPECT_TRUE(std::isfinite(x) && x >= 0.0) << x;
+  }
+
+  void look_at_current(const elastoplastic::CurrentDrive& drive, const simulation::StepRecord& row)
+  {
+    if (row.max_pressure == 0.0)
+    {
+      EXPECT_TRUE(std::isinf(row.contact_resistance));
+      EXPECT_EQ(row.current, 0.0);
+      return;
+    }
+    EXPECT_GE(row.current_spots, 1);
+    EXPECT_TRUE(row.largest_spot_share > 0.0 && row.largest_spot_share < 1.0 + 1e-9) << row.largest_spot_share;
+    if (std::isnan(row.contact_resistance)) // a large current through metals that get hot has no steady state
+    {
+      EXPECT_TRUE(drive.current && drive.film == 0.0 && std::isnan(row.contact_temperature));
+      return;
+    }
+    EXPECT_TRUE(std::isfinite(row.contact_resistance) && row.contact_resistance > 0.0) << row.contact_resistance;
+    EXPECT_NEAR(row.voltage, row.current * row.contact_resistance, 1e-9 * row.voltage);
+    EXPECT_NEAR(row.electric_power, row.current * row.voltage, 1e-9 * row.electric_power);
+    EXPECT_EQ(row.current, drive.current.value_or(row.current));
+    EXPECT_EQ(row.voltage, drive.voltage.value_or(row.voltage));
+    EXPECT_GE(row.contact_temperature, 20.0 - 1e-9);
+    EXPECT_EQ(row.max_current_density > 0.0, row.current > 0.0);
   }
 
   /// A run whose stresses are looked at in some of its steps and at its end.
@@ -204,6 +234,8 @@ struct Outcome
                         "bound: mesh and steps");
     test::expect_within(scenario + ": error of the energy balance, 95 % of the cases", share(0.95), 0.0, 0.12,
                         "bound: mesh and steps");
+    test::expect_within(scenario + ": cases with resistance or current", conducting, 0.25 * count, count,
+                        "one in three, but for those refused");
     test::expect_within(scenario + ": cases compared with a finer mesh", compared, slow_build ? 0.0 : count / 25.0,
                         count, "one in twenty");
   }
@@ -223,7 +255,10 @@ void sweep(const std::string& scenario, int count, const Make& make)
     Draw draw(static_cast<unsigned>(seed));
     is_due = is_due || (seed % 20 == 7 && !slow_build);
     const int before = outcome.compared;
-    outcome.run(make(draw), is_due);
+    auto c = make(draw);
+    if (Draw of_current(static_cast<unsigned>(1000 + seed)); seed % 3 == 1) // it changes nothing else
+      add_current(of_current, c, c.lower.material, c.upper.material);
+    outcome.run(c, is_due);
     is_due = is_due && outcome.compared == before;
   }
   outcome.expect_sound(scenario, cases);

@@ -439,4 +439,19 @@ simulation::FrettingCase random_worn_fretting(Draw& draw)
   return c;
 }
 
+void add_current(Draw& draw, simulation::Numerics& numerics, constitutive::Material& lower,
+                 constitutive::Material& upper)
+{
+  const bool has_film = draw.chance(0.5);
+  for (constitutive::Material* material : {&lower, &upper})
+    material->electrical = {draw.power_of_ten(-8.0, -5.0), has_film ? 0.0 : draw.between(0.0, 5e-3)};
+  if (has_film)
+    numerics.current.film = draw.power_of_ten(-15.0, -7.0);
+  const int drive = draw.below(3);
+  if (drive == 0)
+    numerics.current.voltage = draw.power_of_ten(-4.0, 0.0);
+  else if (drive == 1)
+    numerics.current.current = draw.power_of_ten(-4.0, 2.0);
+}
+
 } // namespace brinell::verification

@@ -52,4 +52,9 @@ private:
 [[nodiscard]] simulation::RollingCase random_worn_creeping(Draw& draw);
 [[nodiscard]] simulation::FrettingCase random_worn_fretting(Draw& draw);
 
+/// Gives both bodies resistivities, which may grow with temperature, and drives a current by a voltage or as such, or none; half of
+/// the cases have a film between the surfaces.
+void add_current(Draw& draw, simulation::Numerics& numerics, constitutive::Material& lower,
+                 constitutive::Material& upper);
+
 } // namespace brinell::verification

@@ -98,6 +98,7 @@ private:
   };
 
   void drive_through(const contact::Flow& flow, std::span<const double> pressure);
+  void find_density(const contact::Flow& flow);
   void heat_up(const contact::Flow& flow, std::span<const double> pressure);
 
   contact::Constriction constriction_;

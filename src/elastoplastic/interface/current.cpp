@@ -44,21 +44,27 @@ void Current::commit(const Interaction& found, const Placement& /*placement*/)
       flow.of_patch.empty() ? 0.0 : *std::max_element(flow.of_patch.begin(), flow.of_patch.end()) / flow.conductance;
   state_.temperature = std::max(bodies_[0].temperature, bodies_[1].temperature);
   drive_through(flow, found.pressure());
-  state_.density = flow.whole_density(grid_.cell_area());
+  find_density(flow);
+  state_.per_volt = std::move(flow.density);
+  if (state_.resistance < state_.least_resistance)
+    state_.least_resistance = state_.resistance;
+  state_.largest_temperature = larger(state_.largest_temperature, state_.temperature);
+}
+
+/// Finds the density. Heat does not change the share of each spot; a contact without resistance has a uniform density.
+void Current::find_density(const contact::Flow& flow)
+{
+  const bool is_full = std::isinf(flow.conductance);
+  const double whole = static_cast<double>(grid_.size()) * grid_.cell_area();
+  state_.density = is_full ? std::vector<double>(grid_.size(), 1.0 / whole) : flow.whole_density(grid_.cell_area());
   state_.density.resize(grid_.size()); // without contact
+  const double scale = is_full ? state_.current : flow.conductance > 0.0 ? state_.current / flow.conductance : 0.0;
   state_.largest_density = 0.0;
-  // Heat does not change the share of each spot.
-  const double scale =
-      flow.conductance > 0.0 && std::isfinite(flow.conductance) ? state_.current / flow.conductance : 0.0;
   for (double& value : state_.density)
   {
     value *= scale;
     state_.largest_density = std::max(state_.largest_density, value);
   }
-  state_.per_volt = std::move(flow.density);
-  if (state_.resistance < state_.least_resistance)
-    state_.least_resistance = state_.resistance;
-  state_.largest_temperature = larger(state_.largest_temperature, state_.temperature);
 }
 
 /// Finds resistance, current and voltage.
@@ -78,7 +84,7 @@ void Current::drive_through(const contact::Flow& flow, std::span<const double> p
   if (!film_.empty())
   {
     state_.voltage = drive_.voltage ? *drive_.voltage : drive_.current.value_or(0.0) * state_.resistance;
-    state_.current = state_.voltage * flow.conductance;
+    state_.current = drive_.current.value_or(state_.voltage * flow.conductance);
     return heat_up(flow, pressure);
   }
   // The factor of shape does not depend on temperature: the isotherms are those of the cold contact.
