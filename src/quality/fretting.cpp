@@ -67,7 +67,7 @@ std::optional<Warning> thin_slip(const FrettingCase& c, const FrettingPlan& plan
 template <>
 Facts facts(const FrettingCase& c, const FrettingPlan& plan, const Seen<FrettingCase>& /*seen*/)
 {
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  Facts f = facts_of(c, plan, plan.contact_radius, plan.contact_radius_y);
   constexpr Of elastic = Of::elastic_contact;
   Documented heat{.quantity = "heat of friction",
                   .name = "cycles[*].dissipation_friction_J",

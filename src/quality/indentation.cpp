@@ -175,7 +175,7 @@ std::optional<std::string> gaps_without_contact(const IndentationCase& c, double
 template <>
 Facts facts(const IndentationCase& c, const IndentationPlan& plan, const Seen<IndentationCase>& /*seen*/)
 {
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.contact_radius, plan.contact_radius_y);
+  Facts f = facts_of(c, plan, plan.contact_radius, plan.contact_radius_y);
   const bool is_tip = has_tip(c.lower) || has_tip(c.upper);
   if (is_tip)
     f.documented.assign(std::begin(documented_of_tips), std::end(documented_of_tips));

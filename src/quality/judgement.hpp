@@ -104,9 +104,7 @@ struct Facts
 
 /// Facts that follow from bodies, numerics and plan in any scenario.
 /// @param half_x, half_y  half-lengths of the contact, estimates [m]
-[[nodiscard]] Facts facts_of(const simulation::Numerics& numerics, const simulation::ShapedBody& lower,
-                             const simulation::ShapedBody& upper, const simulation::Plan& plan, double half_x,
-                             double half_y);
+[[nodiscard]] Facts facts_of(const simulation::PairCase& c, const simulation::Plan& plan, double half_x, double half_y);
 
 /// Quality before a run.
 [[nodiscard]] Quality quality_before(const Facts& facts);

@@ -232,41 +232,40 @@ std::string percent_text(double share)
   return std::abs(percent) < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
-Facts facts_of(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, const Plan& plan,
-               double half_x, double half_y)
+Facts facts_of(const PairCase& c, const Plan& plan, double half_x, double half_y)
 {
   Facts f;
   f.cell = {plan.contact.dx, plan.contact.dy, plan.lower.dz};
   f.half_x = half_x;
   f.half_y = half_y;
   f.approach = plan.scales.gap;
-  f.can_yield = lower.material.is_plastic() || upper.material.is_plastic();
+  f.can_yield = c.lower.material.is_plastic() || c.upper.material.is_plastic();
   const bool stressed =
-      !lower.material.initial_stress.depth().empty() || !upper.material.initial_stress.depth().empty();
+      !c.lower.material.initial_stress.depth().empty() || !c.upper.material.initial_stress.depth().empty();
   // On textures stand peaks of pressure.
-  f.is_smooth = are_smooth(lower, upper);
+  f.is_smooth = are_smooth(c.lower, c.upper);
   if (!stressed && f.is_smooth)
     f.first_yield = plan.first_yield;
-  f.solver = numerics.solver;
+  f.solver = c.solver;
   f.is_plane = is_plane(plan.contact);
-  f.is_patchy = numerics.domain.is_periodic();
-  f.between_ends = length_between_ends(lower.shape, upper.shape, numerics.domain);
-  f.cells_per_wave = cells_per_wave(lower, upper, numerics.domain, f.cell[0], f.cell[1]);
-  f.cells_per_texture = cells_per_shortest_wave(lower, upper, f.cell[0], f.cell[1]);
-  f.textures = {&lower.texture, &upper.texture};
-  f.materials = {&lower.material, &upper.material};
-  f.is_heated = is_heated(numerics, lower, upper);
-  f.has_source = numerics.heat.source.exists();
-  f.wears = numerics.wear.wears();
-  f.conducts = lower.material.electrical && upper.material.electrical;
-  f.is_current_given = numerics.current.current.value_or(numerics.current.voltage.value_or(0.0)) > 0.0;
-  f.has_thermal_stress = numerics.heat.stress;
-  f.friction = numerics.friction.coefficient;
-  f.shear_limit = numerics.friction.shear_limit.value_or(f.shear_limit);
-  f.hardens = !lower.material.is_perfectly_plastic() && !upper.material.is_perfectly_plastic();
+  f.is_patchy = c.domain.is_periodic();
+  f.between_ends = length_between_ends(c.lower.shape, c.upper.shape, c.domain);
+  f.cells_per_wave = cells_per_wave(c.lower, c.upper, c.domain, f.cell[0], f.cell[1]);
+  f.cells_per_texture = cells_per_shortest_wave(c.lower, c.upper, f.cell[0], f.cell[1]);
+  f.textures = {&c.lower.texture, &c.upper.texture};
+  f.materials = {&c.lower.material, &c.upper.material};
+  f.is_heated = is_heated(c);
+  f.has_source = c.heat.source.exists();
+  f.wears = c.wear.wears();
+  f.conducts = c.lower.material.electrical && c.upper.material.electrical;
+  f.is_current_given = c.current.current.value_or(c.current.voltage.value_or(0.0)) > 0.0;
+  f.has_thermal_stress = c.heat.stress;
+  f.friction = c.friction.coefficient;
+  f.shear_limit = c.friction.shear_limit.value_or(f.shear_limit);
+  f.hardens = !c.lower.material.is_perfectly_plastic() && !c.upper.material.is_perfectly_plastic();
   f.peak_pressure = plan.peak_pressure;
   f.peak_over_yield = plan.peak_over_yield;
-  f.is_yield_exact = !reason_against_first_yield(lower, upper, numerics.domain);
+  f.is_yield_exact = !reason_against_first_yield(c.lower, c.upper, c.domain);
   return f;
 }
 

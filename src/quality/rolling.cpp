@@ -274,7 +274,7 @@ template <>
 Facts facts(const RollingCase& c, const RollingPlan& plan, const Seen<RollingCase>& seen)
 {
   const std::vector<RollingPass> passes = seen.summary ? seen.summary->passes : std::vector<RollingPass>();
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
+  Facts f = facts_of(c, plan, plan.half_width_x, plan.half_width_y);
   f.documented = documented_of_passes(c, plan, f.is_plane, passes);
   f.moves = true;
   f.slides = !c.creepage && c.slide_to_roll != 0.0;

@@ -92,7 +92,7 @@ std::vector<Documented> documented_of_strokes(bool is_plane, const SlidingSummar
 template <>
 Facts facts(const SlidingCase& c, const SlidingPlan& plan, const Seen<SlidingCase>& seen)
 {
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.half_width_x, plan.half_width_y);
+  Facts f = facts_of(c, plan, plan.half_width_x, plan.half_width_y);
   f.documented = documented_of_strokes(f.is_plane, seen.summary);
   f.moves = true;
   if (c.shift)

@@ -100,7 +100,7 @@ Documented with_friction(Documented error, double ploughing)
 template <>
 Facts facts(const TuggingCase& c, const TuggingPlan& plan, const Seen<TuggingCase>& seen)
 {
-  Facts f = facts_of(c, c.lower, c.upper, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
+  Facts f = facts_of(c, plan, plan.elastic_contact_radius, plan.elastic_contact_radius_y);
   const double ploughing = share_of_ploughing(seen.totals);
   f.documented = {c.load ? peak_under_load : peak_force, dents,
                   with_friction(c.load ? net_energy_under_load : net_energy, ploughing),

@@ -74,8 +74,8 @@ struct Workload
 };
 
 /// @param half_width  of the contact along x, estimate [m]
-[[nodiscard]] Workload workload(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                                const Plan& plan, double half_width, const Course& course, const Storage& storage);
+[[nodiscard]] Workload workload(const PairCase& c, const Plan& plan, double half_width, const Course& course,
+                                const Storage& storage);
 
 /// Time and memory of a run, before it.
 struct Forecast

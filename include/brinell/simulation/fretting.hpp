@@ -14,7 +14,7 @@ struct FrettingPlan;
 struct FrettingRecord;
 struct FrettingSummary;
 
-struct FrettingCase : Numerics
+struct FrettingCase : PairCase
 {
   using Plan = FrettingPlan;
   using Record = FrettingRecord; ///< row of its history
@@ -22,8 +22,6 @@ struct FrettingCase : Numerics
   /// Quantity that oscillates: the relative displacement of distant points of both bodies, or the tangential force between them.
   using Kind = contact::TangentialDrive::Kind;
 
-  ShapedBody lower;
-  ShapedBody upper;
   contact::Drive press;    ///< load or approach, applied first and then kept
   int press_steps = 10;    ///< steps in which it is applied
   Kind kind = Kind::shift; ///< of the amplitude

@@ -12,14 +12,13 @@ struct IndentationPlan;
 struct IndentationRecord;
 struct IndentationSummary;
 
-struct IndentationCase : Numerics
+/// The upper body is the indenter.
+struct IndentationCase : PairCase
 {
   using Plan = IndentationPlan;
   using Record = IndentationRecord; ///< row of its history
   using Summary = IndentationSummary;
 
-  ShapedBody lower; ///< is indented
-  ShapedBody upper; ///< the indenter
   /// Loads, approaches or mean gaps (all of one kind) that are applied one after the other, starting without contact. If the
   /// sequence is repeated, or there are several places, it must end without contact: with zero, or with a mean gap not below
   /// `touching_gap`.

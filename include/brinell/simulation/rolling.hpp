@@ -26,14 +26,12 @@ struct Creepage
 /// surfaces are taken to move by the same number of cells.
 inline constexpr double largest_creepage = 0.1;
 
-struct RollingCase : Numerics
+struct RollingCase : PairCase
 {
   using Plan = RollingPlan;
   using Record = RollingRecord; ///< row of its history
   using Summary = RollingSummary;
 
-  ShapedBody lower;
-  ShapedBody upper;
   contact::Drive drive;        ///< load or approach, kept while rolling
   double distance = 0.0;       ///< from -distance/2 to distance/2 on the lower body in each pass [m], > 0
   std::optional<double> shift; ///< distance that the contact moves on the lower body per step [m]; default: one cell dx

@@ -90,6 +90,12 @@ struct Numerics : elastoplastic::Effects ///< effects between the surfaces; wear
   bool fields_within = true;
 };
 
+/// Two bodies, and how their contact is computed: base of the cases of all scenarios.
+struct PairCase : Numerics
+{
+  ShapedBody lower, upper;
+};
+
 /// Grids, steps, tolerances and memory of a run; computed without running.
 struct Plan
 {

@@ -13,14 +13,13 @@ struct SlidingPlan;
 struct SlidingRecord;
 struct SlidingSummary;
 
-struct SlidingCase : Numerics
+/// The lower body must be flat along x, because the contact stays at the same place on the upper body.
+struct SlidingCase : PairCase
 {
   using Plan = SlidingPlan;
   using Record = SlidingRecord; ///< row of its history
   using Summary = SlidingSummary;
 
-  ShapedBody lower; ///< flat along x, because the contact stays at the same place on the upper body
-  ShapedBody upper;
   /// Load, approach or mean gap: applied first, kept while sliding, removed at the end. Under an approach or a mean gap the
   /// surfaces may be apart at first, if their peaks meet on the way; an approach may then be negative.
   contact::Drive press;

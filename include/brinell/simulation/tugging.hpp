@@ -15,8 +15,8 @@ struct TuggingPlan;
 struct TuggingRecord;
 struct TuggingSummary;
 
-/// Everything that defines a tugging run. SI units.
-struct TuggingCase : Numerics
+/// Both bodies must be circular in the plane of motion: a paraboloid, or a roller across the motion.
+struct TuggingCase : PairCase
 {
   using Plan = TuggingPlan;
   using Record = TuggingRecord; ///< row of its history
@@ -26,9 +26,6 @@ struct TuggingCase : Numerics
   /// yield: docs/verification/accuracy.md.
   TuggingCase() { resolution = 14.0; }
 
-  ShapedBody
-      lower; ///< both bodies must be circular in the plane of motion: a paraboloid, or a roller across the motion
-  ShapedBody upper;
   /// Overlap in height of the tops of the rigid bodies [m], > 0. Without an offset it is the largest interference, reached at
   /// alignment.
   double interference = 0.0;

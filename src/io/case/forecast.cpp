@@ -65,8 +65,7 @@ simulation::Workload workload(const Case& c, const ScenarioPlan& plan)
       {
         const auto& io = io_of(scenario);
         const auto& p = std::get<typename ScenarioCase::Plan>(plan);
-        return simulation::workload(scenario, scenario.lower, scenario.upper, p, p.*io.half_x, io.course(scenario, p),
-                                    storage);
+        return simulation::workload(scenario, p, p.*io.half_x, io.course(scenario, p), storage);
       },
       c.scenario);
 }

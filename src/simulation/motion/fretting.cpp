@@ -3,8 +3,10 @@
 
 #include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
+#include "drive_meter.hpp"
+#include "pressing.hpp"
 #include "run_state.hpp"
-#include "simulation/plan/heat.hpp"
+#include "slip_reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +37,8 @@ public:
 
   [[nodiscard]] Stepper::Setup setup() const
   {
-    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {});
-    setup.sliding = {.friction = case_.friction, .sticks = true, .effects = case_};
-    if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, heat_times_};
+    Stepper::Setup setup = setup_of(case_, {}, heat_times_);
+    setup.sliding.sticks = true;
     return setup;
   }
   [[nodiscard]] Centre centre() const { return {}; }
@@ -51,7 +51,7 @@ public:
     {
       const double touch = stepper.clearance({});
       from_ = by_load() ? 0.0 : std::min(0.0, touch);
-      previous_.approach = touch;
+      meter_.begin(0.0, touch);
     }
     const auto path = [this](double t)
     {
@@ -61,7 +61,7 @@ public:
       return target;
     };
     const bool is_pressing = done_ < case_.press_steps;
-    return {path, finest,
+    return {path, finest_press,
             is_pressing
                 ? fmt::format("step {}, pressing", done_)
                 : fmt::format("step {}, cycle {}, {} = {:g} {}", done_, cycle(), by_force() ? "force" : "displacement",
@@ -74,9 +74,7 @@ public:
     r.cycle = cycle();
     r.pass = std::max(1, r.cycle);
     r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
-    r.work += 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach);
-    previous_.F_n = r.F_n;
-    previous_.approach = r.approach;
+    r.work += meter_.to({.approach = r.approach, .F_n = r.F_n}).drive;
     const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
     if (slip != nullptr)
       read(*slip, r);
@@ -99,7 +97,8 @@ public:
 
   void exchange(Archive& archive)
   {
-    archive("at", previous_);
+    archive("drive", meter_);
+    archive("work_along", work_along_);
     archive("current", current_);
     archive("begun", begun_);
     archive("begun_paths", paths_);
@@ -109,18 +108,6 @@ public:
   }
 
 private:
-  /// Values at the end of the last step.
-  struct DriveState
-  {
-    double approach = 0.0, F_n = 0.0, along = 0.0; ///< [m], [N], work of the tangential force [J]
-
-    void exchange(Archive& archive)
-    {
-      archive("approach", approach);
-      archive("F_n", F_n);
-      archive("along", along);
-    }
-  };
   /// Totals at the beginning of the current cycle.
   struct Begun
   {
@@ -169,8 +156,6 @@ private:
     std::vector<double> path_; ///< [m]
   };
 
-  static constexpr double finest =
-      1.0 / 64; ///< share of a step, of the shortest piece of a step that does not converge
   /// Time since the start after a number of steps, which all take as long [s]; 0 without a frequency.
   [[nodiscard]] double time(double steps) const
   {
@@ -183,14 +168,10 @@ private:
   {
     return done_ < case_.press_steps ? 0 : (done_ - case_.press_steps) / case_.steps_per_cycle + 1;
   }
-  /// Load or approach after a number of steps. For loads, load^(2/3) changes linearly, so that the approach changes about
-  /// linearly.
+  /// Load or approach after a number of steps.
   [[nodiscard]] double pressed(double steps) const
   {
-    const double share = std::min(1.0, steps / case_.press_steps);
-    if (!by_load())
-      return from_ + (case_.press.value - from_) * share;
-    return share == 1.0 ? case_.press.value : std::pow(std::pow(case_.press.value, 2.0 / 3.0) * share, 1.5);
+    return pressed_between(case_.press.kind, from_, case_.press.value, std::min(1.0, steps / case_.press_steps));
   }
   /// Factor on the amplitude after a number of steps: 0, 1, 0, -1, 0 at the quarters of a cycle, linear in between.
   [[nodiscard]] double share(double steps) const
@@ -213,17 +194,12 @@ private:
     r.F_x = F_x;
     r.F_y = F_y;
     r.force = F_x * cos_ + F_y * sin_;
-    r.work += slip.work() - previous_.along;
-    previous_.along = slip.work();
-    r.dissipation_friction = slip.heat();
-    r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
-    r.stick_area = r.stick_share * r.contact_area;
-    r.slip_path = *std::max_element(slip.path().begin(), slip.path().end());
+    read_slip(slip, work_along_, r);
   }
 
   void begin_cycle(const FrettingRecord& r)
   {
-    begun_ = {previous_.along, r.dissipation_friction, plastic(r)};
+    begun_ = {work_along_, r.dissipation_friction, plastic(r)};
     current_ = {};
     current_.stick_share = 1.0;
   }
@@ -232,7 +208,7 @@ private:
   {
     FrettingCycle& c = current_;
     c.cycle = r.cycle;
-    c.work = previous_.along - begun_.along;
+    c.work = work_along_ - begun_.along;
     c.dissipation_friction = r.dissipation_friction - begun_.friction;
     c.dissipation_plastic = plastic(r) - begun_.plastic;
     c.max_force = std::max(c.max_force, std::abs(r.force));
@@ -248,7 +224,8 @@ private:
   halfspace::HeatTimes heat_times_;
   double cos_, sin_;
   double from_ = 0.0; ///< load or approach at the start
-  DriveState previous_;
+  DriveMeter meter_;
+  double work_along_ = 0.0; ///< of the tangential force since the start [J]
   Begun begun_;
   Paths paths_;
   FrettingCycle current_;

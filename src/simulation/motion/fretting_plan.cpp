@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/fretting.hpp"
+#include "pressing.hpp"
 #include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
-#include "simulation/plan/memory.hpp"
+#include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/wear.hpp"
 
 #include <algorithm>
@@ -128,9 +129,8 @@ double sliding_displacement(const FrettingCase& fretting, double approach)
 
 halfspace::HeatTimes heat_times(const FrettingCase& fretting, const FrettingPlan& plan)
 {
-  constexpr double finest = 1.0 / 64; // share of a step: the shortest piece of a step that does not converge
   const double steps_per_second = fretting.steps_per_cycle * fretting.frequency.value();
-  return {0.5 * finest / steps_per_second, (plan.steps + 1.0) / steps_per_second};
+  return {0.5 * finest_press / steps_per_second, (plan.steps + 1.0) / steps_per_second};
 }
 
 /// Whether the upper body is always the mirror image in x of the lower one: both move in opposite directions along x under a
@@ -146,44 +146,35 @@ bool are_twins(const FrettingCase& fretting, const FrettingPlan& plan)
 
 FrettingPlan plan(const FrettingCase& fretting)
 {
-  require_friction(fretting, fretting.lower, fretting.upper, "");
+  require_friction(fretting, "");
   require_press(fretting.press, fretting.press_steps);
   require_cycles(fretting);
-  require_heat(fretting, fretting.lower, fretting.upper,
-               {.speed = fretting.frequency,
-                .speed_name = "`FrettingCase::frequency`",
-                .upper_rests = true,
-                .sticks = true,
-                .name = "frequency",
-                .unit = "Hz"});
+  require_heat(fretting, {.speed = fretting.frequency,
+                          .speed_name = "`FrettingCase::frequency`",
+                          .upper_rests = true,
+                          .sticks = true,
+                          .name = "frequency",
+                          .unit = "Hz"});
   // Without motion there is no shear that makes the bodies yield earlier.
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
   require_amplitude(fretting, f);
-  require_current(fretting, fretting.lower, fretting.upper);
+  require_current(fretting);
   require_wear(fretting,
                fretting.amplitude > 0.0 && fretting.cycles > 0
                    ? ""
                    : "the surfaces do not slide without a cycle, or with an amplitude of 0; allowed: 0, or a motion");
   FrettingPlan plan;
-  plan.surfaces_only = needs_surfaces_only(fretting, fretting.lower, fretting.upper);
+  plan.surfaces_only = needs_surfaces_only(fretting);
   lay_out(fretting, f, 0.0, 0.0, plan);
-  require_cells_in_periods(fretting.lower, fretting.upper, fretting.domain, plan.contact);
-  require_source_fits(fretting, plan.contact);
-  plan.reference = reference_distance(fretting.lower.shape, fretting.upper.shape, fretting.domain);
+  check_grids(fretting, plan);
   plan.contact_radius = f.half_x;
   plan.contact_radius_y = f.half_y;
   plan.sliding_displacement = sliding_displacement(fretting, f.approach);
   plan.steps = step_count(fretting.press_steps + static_cast<double>(fretting.cycles) * fretting.steps_per_cycle,
                           "`FrettingCase::cycles`");
   plan.twin = are_twins(fretting, plan) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  const bool heats = is_heated(fretting, fretting.lower, fretting.upper);
-  if (heats)
-    plan.heat_times = heat_times(fretting, plan);
-  const int shears = fretting.friction.coefficient > 0.0 ? 2 : (heats ? 1 : 0);
-  plan.is_textured = !are_smooth(fretting.lower, fretting.upper);
-  plan.memory_bytes = memory_bytes(plan, fretting.lower.material, fretting.upper.material, fretting.solver, shears,
-                                   heats ? &fretting.heat : nullptr);
+  end_plan(fretting, true, plan, [&] { return heat_times(fretting, plan); });
   return plan;
 }
 

@@ -13,8 +13,9 @@
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
-#include "simulation/plan/memory.hpp"
+#include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/symmetry.hpp"
+#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +39,7 @@ public:
   {
   }
 
-  [[nodiscard]] Stepper::Setup setup() const
-  {
-    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, {case_.places.front(), 0.0});
-    setup.sliding.effects.current = case_.current;
-    return setup;
-  }
+  [[nodiscard]] Stepper::Setup setup() const { return setup_of(case_, {case_.places.front(), 0.0}, {}); }
   [[nodiscard]] Centre centre() const { return {x(std::max(done_ - 1, 0)), 0.0}; }
   [[nodiscard]] bool is_done() const { return done_ == steps_; }
   [[nodiscard]] int step_count() const { return steps_; }
@@ -64,9 +60,8 @@ public:
     const auto path = [this, here, in_entry](double t) {
       return Target{here, {kind(), imposed((in_entry + t) / case_.steps)}};
     };
-    constexpr double finest = 1.0 / 64;
     const auto [name, unit] = text_of(kind());
-    return {path, finest, fmt::format("step {}, {} = {:g} {}", done_, name, path(1.0).drive.value, unit)};
+    return {path, finest_press, fmt::format("step {}, {} = {:g} {}", done_, name, path(1.0).drive.value, unit)};
   }
 
   void read(Stepper& stepper, const IndentationRecord& before, IndentationRecord& r)
@@ -130,15 +125,8 @@ private:
     return case_.places[static_cast<std::size_t>(step / steps_per_indent() / case_.cycles)];
   }
 
-  /// Value of the drive at a share of the current entry. For loads, load^(2/3) changes linearly, so that the approach changes
-  /// about linearly; with equal steps of load the first step would be by far the longest.
-  [[nodiscard]] double imposed(double share) const
-  {
-    if (kind() != Drive::Kind::load)
-      return from_ + (to_ - from_) * share;
-    const double from = std::pow(from_, 2.0 / 3.0);
-    return share == 1.0 ? to_ : std::pow(from + (std::pow(to_, 2.0 / 3.0) - from) * share, 1.5);
-  }
+  /// Value of the drive at a share of the current entry.
+  [[nodiscard]] double imposed(double share) const { return pressed_between(kind(), from_, to_, share); }
 
   void begin_entry(int in_indent, const Stepper::Distances& touch)
   {
@@ -209,9 +197,13 @@ void require_approach(const IndentationCase& indentation, const contact::Drive& 
 
 IndentationPlan plan(const IndentationCase& indentation)
 {
-  require_friction(indentation, indentation.lower, indentation.upper,
-                   "the surfaces do not slide in an indentation; allowed: 0, or another scenario");
-  require_current(indentation, indentation.lower, indentation.upper);
+  const char* resting = "the surfaces do not slide in an indentation; allowed: 0, or another scenario";
+  require_friction(indentation, resting);
+  require_current(indentation);
+  require_wear(indentation, resting);
+  if (indentation.heat.source.exists())
+    throw PlanError(
+        "`HeatSettings::source`: no heat is computed in an indentation; allowed: none, or another scenario");
   require_drives(indentation);
   const contact::Drive largest = largest_drive(indentation);
   require_approach(indentation, largest);
@@ -220,22 +212,19 @@ IndentationPlan plan(const IndentationCase& indentation)
   for (const double x : indentation.places)
     track = std::max(track, std::abs(x));
   IndentationPlan plan;
-  plan.surfaces_only = needs_surfaces_only(indentation, indentation.lower, indentation.upper);
+  plan.surfaces_only = needs_surfaces_only(indentation);
   lay_out(indentation, f, track, 0.0, plan);
-  require_cells_in_periods(indentation.lower, indentation.upper, indentation.domain, plan.contact);
-  plan.reference = reference_distance(indentation.lower.shape, indentation.upper.shape, indentation.domain);
+  check_grids(indentation, plan);
   plan.contact_radius = f.half_x;
   plan.contact_radius_y = f.half_y;
   plan.touching_gap = indentation.domain.is_periodic() ? touching_gap(indentation, plan.contact) : nan;
   require_contact(indentation, plan.touching_gap);
   plan.twin = are_twins(indentation, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  mirror_grids(is_solved_by_halves(indentation.lower, indentation.upper, indentation, plan.contact), plan);
+  mirror_grids(is_solved_by_halves(indentation, plan.contact), plan);
   plan.steps = step_count(static_cast<double>(indentation.steps) * indentation.cycles *
                               static_cast<double>(indentation.sequence.size() * indentation.places.size()),
                           "`IndentationCase::steps`");
-  plan.is_textured = !are_smooth(indentation.lower, indentation.upper);
-  plan.memory_bytes = memory_bytes(plan, indentation.lower.material, indentation.upper.material, indentation.solver,
-                                   indentation.friction.coefficient > 0.0 ? 1 : 0, nullptr);
+  end_plan(indentation, false, plan, [] { return halfspace::HeatTimes(); });
   return plan;
 }
 

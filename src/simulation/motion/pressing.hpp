@@ -11,6 +11,12 @@
 namespace brinell::simulation
 {
 
+inline constexpr double finest_press = 1.0 / 64; ///< shortest piece of a step that does not slide
+
+/// Value of a drive at a share of its way from one value to another. For loads, load^(2/3) changes linearly, so that the approach
+/// changes about linearly; with equal steps of load the first step would be by far the longest.
+[[nodiscard]] double pressed_between(contact::Drive::Kind kind, double from, double to, double share);
+
 /// Value of a drive at which the surfaces, with dents and bumps, just do not press: load 0; the approach of first touch, if this
 /// is negative, else 0; or the mean gap at first touch.
 [[nodiscard]] double without_contact(contact::Drive::Kind kind, const Stepper::Distances& touch);

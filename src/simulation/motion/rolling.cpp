@@ -3,11 +3,12 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
-#include "onset.hpp"
+#include "drive_meter.hpp"
+#include "pressing.hpp"
 #include "rolling_plan.hpp"
 #include "run_state.hpp"
 #include "simulation/plan/friction.hpp"
-#include "simulation/plan/heat.hpp"
+#include "slip_reading.hpp"
 #include "track.hpp"
 
 #include <algorithm>
@@ -31,21 +32,17 @@ public:
   Rolling(const RollingCase& rolling, const RollingPlan& plan)
       : case_(rolling), plan_(plan), share_(upper_share(rolling)), track_(plan.way(), plan.shift)
   {
-    previous_.x = moment(0.0).x;
+    meter_.begin(moment(0.0).x, 0.0);
   }
 
   [[nodiscard]] Stepper::Setup setup() const
   {
-    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(moment(0.0).x));
-    setup.sliding = {.friction = case_.friction,
-                     .direction = case_.slide_to_roll < 0.0 ? -1 : 1,
-                     .sticks = case_.creepage.has_value(),
-                     .effects = case_};
-    if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, plan_.heat_times};
+    Stepper::Setup setup = setup_of(case_, centre(moment(0.0).x), plan_.heat_times);
+    setup.sliding.direction = case_.slide_to_roll < 0.0 ? -1 : 1;
+    setup.sliding.sticks = case_.creepage.has_value();
     return setup;
   }
-  [[nodiscard]] Centre centre() const { return centre(previous_.x); }
+  [[nodiscard]] Centre centre() const { return centre(meter_.last().x); }
   [[nodiscard]] bool is_done() const { return pass_ == case_.passes; }
   [[nodiscard]] int step_count() const { return plan_.steps; }
 
@@ -55,7 +52,7 @@ public:
     if (step_in_pass_ == 0)
     {
       track_.begin_pass(stepper.pair().lower().solved(), dissipation(stepper));
-      previous_ = {moment(0.0).x, stepper.clearance(from), 0.0, 0.0, 0.0, previous_.along};
+      meter_.begin(moment(0.0).x, stepper.clearance(from));
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
       touch_ = by_load() ? 0.0 : std::min(stepper.clearance(from), case_.drive.value);
@@ -76,9 +73,8 @@ public:
       return target;
     };
     const double cells = plan_.shift / plan_.contact.dx;
-    const double finest = moves ? std::min(1.0, 0.5 / cells) : 1.0 / 64;
-    return {path, finest, fmt::format("pass {}, x = {:g} m", pass_ + 1, to), moves,
-            [this, &stepper] { read_onset(stepper); }};
+    return {path, moves ? std::min(1.0, 0.5 / cells) : finest_press, fmt::format("pass {}, x = {:g} m", pass_ + 1, to),
+            moves, [this, &stepper] { read_onset(stepper); }};
   }
 
   void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
@@ -92,16 +88,10 @@ public:
     const double sliding_force = (1.0 - share_) * (share_ < 1.0 ? r.F_friction : -r.F_friction);
     r.F_X += sliding_force;
     if (is_rolling()) // where it begins to roll, the surfaces slide under the full shear before they move
-    {
-      const double at_start = (1.0 - share_) * stepper.shear_force_at_start();
-      previous_.F_X += at_start - previous_.sliding_force;
-      previous_.sliding_force = at_start;
-    }
-    r.work += std::exchange(work_at_rest_, 0.0) + 0.5 * (r.F_n + previous_.F_n) * (r.approach - previous_.approach) +
-              0.5 * (r.F_X + previous_.F_X) * (r.x - previous_.x);
-    r.dissipation_friction +=
-        0.5 * (sliding_force + previous_.sliding_force) * (r.x - previous_.x) - stepper.shear_work();
-    previous_ = {r.x, r.approach, r.F_n, r.F_X, sliding_force, previous_.along};
+      meter_.start_with_shear((1.0 - share_) * stepper.shear_force_at_start());
+    const DriveMeter::Work work = meter_.to({r.x, r.approach, r.F_n, r.F_X, sliding_force});
+    r.work += work.drive;
+    r.dissipation_friction += work.shear - stepper.shear_work();
     read_shear(stepper, r);
     r.friction = force_ratio(r.F_X, r.F_n, plan_);
     track_.add(r);
@@ -120,13 +110,14 @@ public:
 
   void exchange(Archive& archive)
   {
-    archive("at", previous_);
+    archive("drive", meter_);
+    archive("creep_work", creep_work_);
     archive("track", track_);
     archive.list("passes", passes_);
     archive("touch", touch_);
     archive("pass", pass_, 0, case_.passes);
     archive("step_in_pass", step_in_pass_, 0, steps_per_pass() - 1);
-    if (archive.gives() && !(std::abs(previous_.x) <= plan_.way()))
+    if (archive.gives() && !(std::abs(meter_.last().x) <= plan_.way()))
       throw InputError("the stored state has a place that is not on the track");
   }
 
@@ -166,13 +157,15 @@ private:
   /// Takes over the forces under which the contact begins to roll, when friction has been raised at rest.
   void read_onset(Stepper& stepper)
   {
-    const Onset now = onset(stepper.pair(), previous_.F_n, previous_.approach);
-    work_at_rest_ = now.work;
-    const Stepper::Depths& depths = stepper.loaded_depths(centre(previous_.x));
+    const Stepper::Depths& depths = stepper.loaded_depths(centre(meter_.last().x));
     const double resistance =
         rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
-    const double shear = (1.0 - share_) * now.shear;
-    previous_ = {previous_.x, now.approach, now.load, resistance + shear, shear, previous_.along};
+    meter_.read_onset(stepper.pair(),
+                      [&](double force)
+                      {
+                        const double shear = (1.0 - share_) * force;
+                        return std::pair{resistance + shear, shear};
+                      });
   }
   /// Fills the tangential forces and, with partial slip, work, heat and stick of the creepage.
   void read_shear(const Stepper& stepper, RollingRecord& r)
@@ -194,13 +187,7 @@ private:
       return;
     if (case_.creepage && is_rolling())
       r.F_X += case_.creepage->longitudinal * r.F_x + case_.creepage->lateral * r.F_y + case_.creepage->spin * r.M_z;
-    r.work += slip->work() - previous_.along;
-    previous_.along = slip->work();
-    r.dissipation_friction = slip->heat();
-    r.stick_share =
-        slip->pressed_cells() > 0 ? static_cast<double>(slip->sticking_cells()) / slip->pressed_cells() : 0.0;
-    r.stick_area = r.stick_share * r.contact_area;
-    r.slip_path = *std::max_element(slip->path().begin(), slip->path().end());
+    read_slip(*slip, creep_work_, r);
   }
   /// Time since the start after a number of steps of a pass [s]; 0 without a speed. The way back belongs to the last step, in
   /// which the surfaces part.
@@ -235,32 +222,14 @@ private:
     return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
   }
 
-  /// Values at the end of the last step, for the trapezoidal rule of the work.
-  struct DriveState
-  {
-    double x = 0.0, approach = 0.0, F_n = 0.0, F_X = 0.0;
-    double sliding_force = 0.0; ///< share of the shear in F_X, of surfaces that slide everywhere [N]
-    double along = 0.0;         ///< work of the creepage [J]
-
-    void exchange(Archive& archive)
-    {
-      archive("x", x);
-      archive("approach", approach);
-      archive("F_n", F_n);
-      archive("F_X", F_X);
-      archive("sliding_force", sliding_force);
-      archive("along", along);
-    }
-  };
-
   const RollingCase& case_;
   const RollingPlan& plan_;
   double share_; ///< distance on the upper body per distance on the lower one
   TrackReader track_;
-  DriveState previous_;
+  DriveMeter meter_;
+  double creep_work_ = 0.0; ///< of the creepage since the start [J]
   std::vector<RollingPass> passes_;
   double touch_ = 0.0; ///< approach at which the surfaces just touch, where an imposed approach begins and ends [m]
-  double work_at_rest_ = 0.0; ///< of the load in the current step, while friction was raised [J]
   int pass_ = 0, step_in_pass_ = 0;
 };
 

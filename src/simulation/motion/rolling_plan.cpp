@@ -2,13 +2,14 @@
 #include "rolling_plan.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "pressing.hpp"
 #include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
-#include "simulation/plan/memory.hpp"
+#include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/symmetry.hpp"
 #include "simulation/plan/wear.hpp"
 
@@ -72,8 +73,7 @@ void require_whole_shift(const RollingCase& rolling, double cell)
 
 halfspace::HeatTimes heat_times(const RollingCase& rolling, const RollingPlan& plan)
 {
-  constexpr double finest = 1.0 / 128; // share of a step: half the shortest piece while pressing
-  const double shortest = plan.shift * std::min(finest, 0.25 * plan.contact.dx / plan.shift);
+  const double shortest = plan.shift * std::min(0.5 * finest_press, 0.25 * plan.contact.dx / plan.shift);
   return {shortest / rolling.speed.value(),
           (rolling.passes * way_of_pass(rolling, plan) + plan.shift) / rolling.speed.value()};
 }
@@ -102,14 +102,13 @@ RollingPlan plan(const RollingCase& rolling)
           ? "the surfaces do not slide with `RollingCase::slide_to_roll` = 0; allowed: 0, or another slide_to_roll, or "
             "`RollingCase::creepage`"
           : "";
-  require_friction(rolling, rolling.lower, rolling.upper, why_not);
-  require_current(rolling, rolling.lower, rolling.upper);
+  require_friction(rolling, why_not);
+  require_current(rolling);
   require_wear(rolling, why_not);
-  require_heat(rolling, rolling.lower, rolling.upper,
-               {.speed = rolling.speed,
-                .speed_name = "`RollingCase::speed`",
-                .upper_rests = rolling.slide_to_roll == 2.0,
-                .sticks = rolling.creepage.has_value()});
+  require_heat(rolling, {.speed = rolling.speed,
+                         .speed_name = "`RollingCase::speed`",
+                         .upper_rests = rolling.slide_to_roll == 2.0,
+                         .sticks = rolling.creepage.has_value()});
   if (!(rolling.drive.value > 0.0))
     throw InputError("rolling needs a load or an approach > 0");
   const Footprint f =
@@ -129,24 +128,15 @@ RollingPlan plan(const RollingCase& rolling)
   plan.shift = steps.shift;
   plan.rolling_steps = steps.count;
   const double track = 0.5 * plan.way();
-  plan.surfaces_only = needs_surfaces_only(rolling, rolling.lower, rolling.upper);
+  plan.surfaces_only = needs_surfaces_only(rolling);
   lay_out(rolling, steps.cells, f, track, upper_share(rolling) * track, plan);
-  require_cells_in_periods(rolling.lower, rolling.upper, rolling.domain, plan.contact);
-  require_source_fits(rolling, plan.contact);
+  check_grids(rolling, plan);
   require_whole_shift(rolling, plan.contact.dx);
-  plan.reference = reference_distance(rolling.lower.shape, rolling.upper.shape, rolling.domain);
   plan.steps = step_count(static_cast<double>(rolling.passes) * (plan.rolling_steps + 2.0 * rolling.load_steps),
                           "`RollingCase::passes`");
   plan.twin = are_twins(rolling, plan) ? elastoplastic::Twin::alike : elastoplastic::Twin::none;
-  mirror_grids(is_solved_by_halves(rolling.lower, rolling.upper, rolling, plan.contact, rolling.creepage.has_value()),
-               plan);
-  const bool heats = is_heated(rolling, rolling.lower, rolling.upper);
-  if (heats)
-    plan.heat_times = heat_times(rolling, plan);
-  const int shears = rolling.friction.coefficient > 0.0 || heats ? (rolling.creepage ? 2 : 1) : 0;
-  plan.is_textured = !are_smooth(rolling.lower, rolling.upper);
-  plan.memory_bytes = memory_bytes(plan, rolling.lower.material, rolling.upper.material, rolling.solver, shears,
-                                   heats ? &rolling.heat : nullptr);
+  mirror_grids(is_solved_by_halves(rolling, plan.contact, rolling.creepage.has_value()), plan);
+  end_plan(rolling, rolling.creepage.has_value(), plan, [&] { return heat_times(rolling, plan); });
   return plan;
 }
 

@@ -4,13 +4,12 @@
 #include "brinell/contact/contact_area.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
+#include "drive_meter.hpp"
 #include "foundation/nan.hpp"
-#include "onset.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
 #include "simulation/plan/friction.hpp"
-#include "simulation/plan/heat.hpp"
 #include "sliding_plan.hpp"
 #include "stroke.hpp"
 
@@ -33,14 +32,7 @@ class Sliding
 public:
   Sliding(const SlidingCase& sliding, const SlidingPlan& plan) : case_(sliding), plan_(plan) {}
 
-  [[nodiscard]] Stepper::Setup setup() const
-  {
-    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(0.0));
-    setup.sliding = {.friction = case_.friction, .effects = case_};
-    if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, plan_.heat_times};
-    return setup;
-  }
+  [[nodiscard]] Stepper::Setup setup() const { return setup_of(case_, centre(0.0), plan_.heat_times); }
   [[nodiscard]] Centre centre() const { return centre(slid(done_)); }
   [[nodiscard]] bool is_done() const { return done_ == plan_.steps; }
   [[nodiscard]] int step_count() const { return plan_.steps; }
@@ -52,7 +44,7 @@ public:
       const Stepper::Distances touch = stepper.distances(centre());
       lifted_ = lifted(touch);
       if (done_ == 0)
-        previous_.approach = touch.smallest;
+        meter_.begin(0.0, touch.smallest);
     }
     if (slides(done_) && in_stroke(done_) == 0)
       reader_.begin_stroke(stepper);
@@ -90,18 +82,11 @@ public:
     r.F_ploughing = sign * ploughing(stepper, here);
     r.F_X = r.F_ploughing + r.F_friction;
     r.friction = force_ratio(r.F_X, r.F_n, plan_);
-    const DriveState now{r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction};
-    if (moves) // at the beginning and at a reversal the shear is that of the motion before the body moves
-    {
-      previous_.F_x += stepper.shear_force_at_start() - previous_.shear;
-      previous_.shear = stepper.shear_force_at_start();
-    }
-    const double moved = now.slid - previous_.slid;
-    r.work += std::exchange(work_at_rest_, 0.0) +
-              0.5 * (now.F_n + previous_.F_n) * (now.approach - previous_.approach) +
-              0.5 * (now.F_x + previous_.F_x) * moved;
-    r.dissipation_friction += 0.5 * (now.shear + previous_.shear) * moved - stepper.shear_work();
-    previous_ = now;
+    if (moves)
+      meter_.start_with_shear(stepper.shear_force_at_start());
+    const DriveMeter::Work work = meter_.to({r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction});
+    r.work += work.drive;
+    r.dissipation_friction += work.shear - stepper.shear_work();
     if (moves)
       reader_.add(r);
     ++done_;
@@ -119,7 +104,7 @@ public:
 
   void exchange(Archive& archive)
   {
-    archive("at", previous_);
+    archive("drive", meter_);
     archive("reader", reader_);
     archive.list("strokes", strokes_);
     archive("lifted", lifted_);
@@ -127,29 +112,11 @@ public:
   }
 
 private:
-  /// Values at the end of the last step, for the trapezoidal rule of the work; forces along x are signed.
-  struct DriveState
-  {
-    double slid = 0.0, approach = 0.0, F_n = 0.0, F_x = 0.0;
-    double shear = 0.0; ///< share of the shear in F_x [N]
-
-    void exchange(Archive& archive)
-    {
-      archive("slid", slid);
-      archive("approach", approach);
-      archive("F_n", F_n);
-      archive("F_x", F_x);
-      archive("shear", shear);
-    }
-  };
-
   /// Takes over the forces under which the upper body begins to slide, when friction has been raised at rest.
   void read_onset(Stepper& stepper)
   {
-    const Onset now = onset(stepper.pair(), previous_.F_n, previous_.approach);
-    work_at_rest_ = now.work;
-    previous_ = {previous_.slid, now.approach, now.load, ploughing(stepper, centre(previous_.slid)) + now.shear,
-                 now.shear};
+    const double of_pressure = ploughing(stepper, centre(meter_.last().x));
+    meter_.read_onset(stepper.pair(), [&](double shear) { return std::pair{of_pressure + shear, shear}; });
   }
 
   /// Time since the start after a number of steps [s]; 0 without a speed.
@@ -234,12 +201,11 @@ private:
 
   const SlidingCase& case_;
   const SlidingPlan& plan_;
-  DriveState previous_;
+  DriveMeter meter_;
   StrokeReader reader_;
   std::vector<SlidingStroke> strokes_;
-  double lifted_ = 0.0;       ///< value of the drive without contact
-  double work_at_rest_ = 0.0; ///< of the load in the current step, while friction was raised [J]
-  int done_ = 0;              ///< number of finished steps
+  double lifted_ = 0.0; ///< value of the drive without contact
+  int done_ = 0;        ///< number of finished steps
 };
 
 } // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sliding_plan.hpp"
-#include "simulation/plan/memory.hpp"
+#include "simulation/plan/plan_end.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/nan.hpp"
 #include "period.hpp"
+#include "pressing.hpp"
 #include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/footprint.hpp"
@@ -27,9 +28,7 @@ using contact::Drive;
 IndentationCase pressing(const SlidingCase& sliding)
 {
   IndentationCase pressed;
-  static_cast<Numerics&>(pressed) = sliding;
-  pressed.lower = sliding.lower;
-  pressed.upper = sliding.upper;
+  static_cast<PairCase&>(pressed) = sliding;
   pressed.sequence = {sliding.press};
   return pressed;
 }
@@ -133,13 +132,12 @@ halfspace::HeatTimes heat_times(const SlidingCase& sliding, const SlidingPlan& p
 
 SlidingPlan plan(const SlidingCase& sliding)
 {
-  require_friction(sliding, sliding.lower, sliding.upper, "");
-  require_current(sliding, sliding.lower, sliding.upper);
+  require_friction(sliding, "");
+  require_current(sliding);
   require_wear(sliding, "");
   require_motion(sliding);
   require_press(sliding);
-  require_heat(sliding, sliding.lower, sliding.upper,
-               {.speed = sliding.speed, .speed_name = "`SlidingCase::speed`", .upper_rests = true});
+  require_heat(sliding, {.speed = sliding.speed, .speed_name = "`SlidingCase::speed`", .upper_rests = true});
   const Footprint f = footprint_of(sliding);
   SlidingPlan plan;
   plan.half_width_x = f.half_x;
@@ -152,24 +150,16 @@ SlidingPlan plan(const SlidingCase& sliding)
       steps_on_way(sliding, cells, {sliding.shift}, sliding.distance, 1, "`SlidingCase::distance`");
   plan.shift = steps.shift;
   plan.sliding_steps = steps.count;
-  plan.surfaces_only = needs_surfaces_only(sliding, sliding.lower, sliding.upper);
+  plan.surfaces_only = needs_surfaces_only(sliding);
   lay_out(sliding, steps.cells, f, 0.5 * (plan.sliding_steps + 1) * plan.shift, 0.0, plan);
-  require_cells_in_periods(sliding.lower, sliding.upper, sliding.domain, plan.contact);
-  require_source_fits(sliding, plan.contact);
-  plan.reference = reference_distance(sliding.lower.shape, sliding.upper.shape, sliding.domain);
+  check_grids(sliding, plan);
   plan.touching_gap = sliding.domain.is_periodic() ? touching_gap(pressing(sliding), plan.contact) : nan;
   if (sliding.domain.is_periodic())
     require_meeting(sliding, plan);
   plan.steps = step_count(2.0 * sliding.press_steps + static_cast<double>(sliding.strokes) * plan.sliding_steps,
                           "`SlidingCase::strokes`");
-  mirror_grids(is_solved_by_halves(sliding.lower, sliding.upper, sliding, plan.contact), plan);
-  const bool heats = is_heated(sliding, sliding.lower, sliding.upper);
-  if (heats)
-    plan.heat_times = heat_times(sliding, plan);
-  plan.is_textured = !are_smooth(sliding.lower, sliding.upper);
-  plan.memory_bytes =
-      memory_bytes(plan, sliding.lower.material, sliding.upper.material, sliding.solver,
-                   sliding.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &sliding.heat : nullptr);
+  mirror_grids(is_solved_by_halves(sliding, plan.contact), plan);
+  end_plan(sliding, false, plan, [&] { return heat_times(sliding, plan); });
   return plan;
 }
 

@@ -7,8 +7,6 @@
 namespace brinell::simulation
 {
 
-inline constexpr double finest_press = 1.0 / 64; ///< shortest piece of a step that does not slide
-
 /// A sliding case reduced to an indentation that only presses the bodies together.
 [[nodiscard]] IndentationCase pressing(const SlidingCase& sliding);
 

@@ -5,7 +5,6 @@
 #include "simulation/stepping/snapshot.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -44,20 +43,6 @@ Heights heights_of(const elastoplastic::BodyView& body, std::span<const double> 
 
 } // namespace
 
-void StrokeReader::Sums::exchange(Archive& archive)
-{
-  archive("F_n", F_n);
-  archive("F_ploughing", F_ploughing);
-  archive("F_friction", F_friction);
-  archive("contact_area", contact_area);
-  archive("contact_fraction", contact_fraction);
-  archive("patches", patches);
-  archive("largest_patch", largest_patch);
-  archive("mean_gap", mean_gap);
-  archive("max_pressure", max_pressure);
-  archive("steps", steps, 0, std::numeric_limits<int>::max() - 1);
-}
-
 void StrokeReader::begin_stroke(const Stepper& stepper)
 {
   sums_ = {};
@@ -67,16 +52,7 @@ void StrokeReader::begin_stroke(const Stepper& stepper)
 
 void StrokeReader::add(const SlidingRecord& r)
 {
-  sums_.F_n += r.F_n;
-  sums_.F_ploughing += r.F_ploughing;
-  sums_.F_friction += r.F_friction;
-  sums_.contact_area += r.contact_area;
-  sums_.contact_fraction += r.contact_fraction;
-  sums_.patches += r.patches;
-  sums_.largest_patch += r.largest_patch;
-  sums_.mean_gap += r.mean_gap;
-  sums_.max_pressure += r.max_pressure;
-  ++sums_.steps;
+  sums_.add(r);
   friction_ = r.dissipation_friction;
 }
 
@@ -84,19 +60,21 @@ SlidingStroke StrokeReader::end_stroke(const Stepper& stepper, const SlidingReco
 {
   SlidingStroke stroke;
   stroke.stroke = last.pass;
-  if (sums_.F_n > 0.0)
+  using R = SlidingRecord;
+  const double load = sums_.sum(&R::F_n), ploughing = sums_.sum(&R::F_ploughing), shear = sums_.sum(&R::F_friction);
+  if (load > 0.0)
   {
-    stroke.friction_ploughing = sums_.F_ploughing / sums_.F_n;
-    stroke.friction_interfacial = sums_.F_friction / sums_.F_n;
+    stroke.friction_ploughing = ploughing / load;
+    stroke.friction_interfacial = shear / load;
     stroke.friction = stroke.friction_ploughing + stroke.friction_interfacial;
   }
-  stroke.mean_F_X = (sums_.F_ploughing + sums_.F_friction) / sums_.steps;
-  stroke.contact_area = sums_.contact_area / sums_.steps;
-  stroke.contact_fraction = sums_.contact_fraction / sums_.steps;
-  stroke.patches = sums_.patches / sums_.steps;
-  stroke.largest_patch = sums_.largest_patch / sums_.steps;
-  stroke.mean_gap = sums_.mean_gap / sums_.steps;
-  stroke.max_pressure = sums_.max_pressure / sums_.steps;
+  stroke.mean_F_X = (ploughing + shear) / sums_.count();
+  stroke.contact_area = sums_.mean(&R::contact_area);
+  stroke.contact_fraction = sums_.mean(&R::contact_fraction);
+  stroke.patches = sums_.mean(&R::patches);
+  stroke.largest_patch = sums_.mean(&R::largest_patch);
+  stroke.mean_gap = sums_.mean(&R::mean_gap);
+  stroke.max_pressure = sums_.mean(&R::max_pressure);
   stroke.dissipation_plastic = plastic_work(stepper) - plastic_before_;
   stroke.dissipation_friction = last.dissipation_friction - friction_before_;
   stroke.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace brinell::simulation
 {
@@ -37,10 +36,8 @@ void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipatio
   for (int layer = 0; layer < lower.grid().nz; ++layer)
     plastic_strain_[static_cast<std::size_t>(layer)] = strain_in_middle(lower, layer);
   dissipation_ = dissipation;
-  sum_force_ = sum_pressure_ = sum_load_ = sum_area_ = 0.0;
-  before_ = after_ = {};
+  middle_ = before_ = after_ = {};
   farthest_ = -4.0 * quarter_; // before the start
-  count_ = 0;
 }
 
 /// Stick and slip depend on the start of the pass, not on its end: means are over the last quarter of the track.
@@ -50,13 +47,7 @@ void TrackReader::add_tangential(const RollingRecord& record)
   farthest_ = std::max(farthest_, record.x);
   if (!rolls || record.x <= quarter_)
     return;
-  Along& along = record.x <= 1.5 * quarter_ ? before_ : after_;
-  along.F_x += record.F_x;
-  along.F_y += record.F_y;
-  along.M_z += record.M_z;
-  along.stick_share += record.stick_share;
-  along.load += record.F_n;
-  ++along.count;
+  (record.x <= 1.5 * quarter_ ? before_ : after_).add(record);
 }
 
 void TrackReader::add(const RollingRecord& record)
@@ -65,16 +56,12 @@ void TrackReader::add(const RollingRecord& record)
   if (std::abs(record.x) > quarter_)
     return;
   const Uptake now{record.x, record.dissipation_lower + record.dissipation_upper + record.energy_residual};
-  if (count_ == 0)
+  if (middle_.count() == 0)
     first_ = now;
-  if (count_ == 0 || std::abs(now.x) < std::abs(centre_.x))
+  if (middle_.count() == 0 || std::abs(now.x) < std::abs(centre_.x))
     centre_ = now;
   last_ = now;
-  sum_force_ += record.F_X;
-  sum_pressure_ += record.max_pressure;
-  sum_load_ += record.F_n;
-  sum_area_ += record.contact_area;
-  ++count_;
+  middle_.add(record);
 }
 
 RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const
@@ -98,42 +85,46 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
   }
   pass.dissipation = dissipation - dissipation_;
   fill_tangential(pass);
-  if (count_ == 0)
+  if (middle_.count() == 0)
     return pass;
-  pass.mean_F_X = sum_force_ / count_;
-  pass.friction = sum_load_ > 0.0 ? sum_force_ / sum_load_ : 0.0;
-  pass.contact_area = sum_area_ / count_;
-  pass.max_pressure = sum_pressure_ / count_;
+  const double load = middle_.sum(&RollingRecord::F_n);
+  pass.mean_F_X = middle_.mean(&RollingRecord::F_X);
+  pass.friction = load > 0.0 ? middle_.sum(&RollingRecord::F_X) / load : 0.0;
+  pass.contact_area = middle_.mean(&RollingRecord::contact_area);
+  pass.max_pressure = middle_.mean(&RollingRecord::max_pressure);
   const auto per_length = [](const Uptake& from, const Uptake& to)
   { return to.x > from.x ? (to.energy - from.energy) / (to.x - from.x) : 0.0; };
   pass.resistance = per_length(first_, last_);
   const double before = per_length(first_, centre_);
   const double after = per_length(centre_, last_);
   constexpr double nothing = 1e-6; // share of the load: a smaller resistance is due to rounding and tolerances
-  if (const double larger = std::max({std::abs(before), std::abs(after), nothing * sum_load_ / count_}); larger > 0.0)
+  if (const double larger = std::max({std::abs(before), std::abs(after), nothing * load / middle_.count()});
+      larger > 0.0)
     pass.unsteadiness = std::abs(after - before) / larger;
   return pass;
 }
 
 void TrackReader::fill_tangential(RollingPass& pass) const
 {
-  const int count = before_.count + after_.count;
+  using R = RollingRecord;
+  const int count = before_.count() + after_.count();
   if (count == 0)
     return;
-  pass.F_x = (before_.F_x + after_.F_x) / count;
-  pass.F_y = (before_.F_y + after_.F_y) / count;
-  pass.M_z = (before_.M_z + after_.M_z) / count;
-  pass.stick_share = (before_.stick_share + after_.stick_share) / count;
-  if (before_.count == 0 || after_.count == 0) // track too short
+  const auto mean = [&](auto member) { return (before_.sum(member) + after_.sum(member)) / count; };
+  pass.F_x = mean(&R::F_x);
+  pass.F_y = mean(&R::F_y);
+  pass.M_z = mean(&R::M_z);
+  pass.stick_share = mean(&R::stick_share);
+  if (before_.count() == 0 || after_.count() == 0) // track too short
   {
     pass.creep_unsteadiness = pass.F_x != 0.0 || pass.F_y != 0.0 ? 1.0 : 0.0;
     return;
   }
-  const double x = before_.F_x / before_.count, y = before_.F_y / before_.count;
-  const double later_x = after_.F_x / after_.count, later_y = after_.F_y / after_.count;
+  const double x = before_.mean(&R::F_x), y = before_.mean(&R::F_y);
+  const double later_x = after_.mean(&R::F_x), later_y = after_.mean(&R::F_y);
   constexpr double nothing = 1e-6; // share of the load, as for the resistance
-  const double load = (before_.load + after_.load) / count;
-  if (const double larger = std::max({std::hypot(x, y), std::hypot(later_x, later_y), nothing * load}); larger > 0.0)
+  if (const double larger = std::max({std::hypot(x, y), std::hypot(later_x, later_y), nothing * mean(&R::F_n)});
+      larger > 0.0)
     pass.creep_unsteadiness = std::hypot(later_x - x, later_y - y) / larger;
 }
 
@@ -144,24 +135,10 @@ void TrackReader::exchange(Archive& archive)
   archive("first", first_);
   archive("centre", centre_);
   archive("last", last_);
-  archive("sum_force", sum_force_);
-  archive("sum_pressure", sum_pressure_);
-  archive("sum_load", sum_load_);
-  archive("sum_area", sum_area_);
+  archive("middle", middle_);
   archive("before", before_);
   archive("after", after_);
   archive("farthest", farthest_);
-  archive("count", count_, 0, std::numeric_limits<int>::max() - 1);
-}
-
-void TrackReader::Along::exchange(Archive& archive)
-{
-  archive("F_x", F_x);
-  archive("F_y", F_y);
-  archive("M_z", M_z);
-  archive("stick_share", stick_share);
-  archive("load", load);
-  archive("count", count, 0, std::numeric_limits<int>::max() - 1);
 }
 
 void TrackReader::Uptake::exchange(Archive& archive)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/simulation/rolling.hpp"
+#include "column_sums.hpp"
 
 namespace brinell::simulation
 {
@@ -29,24 +30,16 @@ private:
     double x = 0.0, energy = 0.0;
     void exchange(Archive& archive);
   };
-  /// Sums over steps of tangential quantities.
-  struct Along
-  {
-    double F_x = 0.0, F_y = 0.0, M_z = 0.0, stick_share = 0.0; ///< [N], [N], [N m], [-]
-    double load = 0.0;                                         ///< [N]
-    int count = 0;
-    void exchange(Archive& archive);
-  };
+  using Sums = ColumnSums<RollingRecord>;
   void add_tangential(const RollingRecord& record);
   void fill_tangential(RollingPass& pass) const;
 
   std::vector<double> plastic_strain_; ///< equivalent plastic strain under the middle, before the pass
   double dissipation_ = 0.0;           ///< before the pass [J]
   Uptake first_, centre_, last_;       ///< over the middle half of the track
-  double sum_force_ = 0.0, sum_pressure_ = 0.0, sum_load_ = 0.0, sum_area_ = 0.0;
-  Along before_, after_;  ///< over the first and the second half of the last quarter of the track
-  double farthest_ = 0.0; ///< largest x of the contact in the pass [m]
-  int count_ = 0;
+  Sums middle_;                        ///< over the middle half of the track
+  Sums before_, after_;                ///< over the first and the second half of the last quarter of the track
+  double farthest_ = 0.0;              ///< largest x of the contact in the pass [m]
 };
 
 /// Depth profile under the middle of a body's grid.

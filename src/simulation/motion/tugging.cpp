@@ -4,7 +4,6 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/forces.hpp"
 #include "run_state.hpp"
-#include "simulation/plan/heat.hpp"
 #include "tugging_peaks.hpp"
 #include "tugging_plan.hpp"
 
@@ -31,11 +30,10 @@ public:
 
   [[nodiscard]] Stepper::Setup setup() const
   {
-    Stepper::Setup setup = shaped_setup(case_.lower, case_.upper, case_.solver, centre(passing_.start(0)));
+    Stepper::Setup setup = setup_of(case_, centre(passing_.start(0)), plan_.heat_times);
     setup.beside = {plan_.closest.y_lower, plan_.closest.y_upper};
-    setup.sliding = {.friction = case_.friction, .direction = 1, .effects = case_};
-    if (is_heated(case_, case_.lower, case_.upper))
-      setup.sliding.heat = {case_.heat, heat_times()};
+    if (setup.sliding.heat)
+      setup.sliding.heat->times = heat_times();
     if (equivalent_radius(case_.lower.shape, case_.upper.shape)) // a round pair: one paraboloid has less rounding
       setup.distance = [curvature = 0.5 * (*relative_curvature(case_.lower.shape, case_.upper.shape))[0]](
                            double x, double y) { return curvature * (x * x + y * y); };

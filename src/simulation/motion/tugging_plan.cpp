@@ -10,7 +10,7 @@
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
-#include "simulation/plan/memory.hpp"
+#include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/symmetry.hpp"
 #include "simulation/plan/wear.hpp"
 
@@ -264,10 +264,10 @@ Passing passing(const TuggingCase& tugging, double dx)
 
 TuggingPlan plan(const TuggingCase& tugging)
 {
-  require_friction(tugging, tugging.lower, tugging.upper, "");
-  require_current(tugging, tugging.lower, tugging.upper);
+  require_friction(tugging, "");
+  require_current(tugging);
   require_wear(tugging, "");
-  require_heat(tugging, tugging.lower, tugging.upper, {.speed = tugging.speed, .speed_name = "`TuggingCase::speed`"});
+  require_heat(tugging, {.speed = tugging.speed, .speed_name = "`TuggingCase::speed`"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);
@@ -280,12 +280,10 @@ TuggingPlan plan(const TuggingCase& tugging)
                                  "less than either",
                                  pair.texture.height, pass.radius_lower(), pass.radius_upper()));
   TuggingPlan plan;
-  plan.surfaces_only = needs_surfaces_only(tugging, tugging.lower, tugging.upper);
+  plan.surfaces_only = needs_surfaces_only(tugging);
   lay_out(cell, extents_of(tugging, pair, pass), tugging.domain, plan);
-  require_cells_in_periods(tugging.lower, tugging.upper, tugging.domain, plan.contact);
-  require_source_fits(tugging, plan.contact);
+  check_grids(tugging, plan);
   plan.closest = pair.closest;
-  plan.reference = reference_distance(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   plan.elastic_contact_radius = pair.contact.half_x;
   plan.elastic_contact_radius_y = pair.contact.half_y;
   plan.texture_height = pair.texture.height;
@@ -294,7 +292,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   const double cells = relative_cells(tugging, dx);
   plan.twin =
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
-  mirror_grids(is_solved_by_halves(tugging.lower, tugging.upper, tugging, plan.contact, tugging.offset != 0.0), plan);
+  mirror_grids(is_solved_by_halves(tugging, plan.contact, tugging.offset != 0.0), plan);
   // Lower limit: smaller changes of displacement would be lost in the tolerance of the contact.
   const double smallest = 1e-2 * pair.closest.interference;
   plan.scales = {std::max(pair.frictionless_yield, smallest), pair.closest.interference};
@@ -303,13 +301,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.peak_over_yield = pair.peak_over_yield;
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
-  const bool heats = is_heated(tugging, tugging.lower, tugging.upper);
-  if (heats)
-    plan.heat_times = heat_times(tugging, plan, cells);
-  plan.is_textured = !are_smooth(tugging.lower, tugging.upper);
-  plan.memory_bytes =
-      memory_bytes(plan, tugging.lower.material, tugging.upper.material, tugging.solver,
-                   tugging.friction.coefficient > 0.0 || heats ? 1 : 0, heats ? &tugging.heat : nullptr);
+  end_plan(tugging, false, plan, [&] { return heat_times(tugging, plan, cells); });
   return plan;
 }
 

@@ -33,9 +33,9 @@ void require_electrical(const constitutive::Electrical& electrical, const std::s
 
 } // namespace
 
-void require_current(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
+void require_current(const PairCase& c)
 {
-  const elastoplastic::CurrentDrive& drive = numerics.current;
+  const elastoplastic::CurrentDrive& drive = c.current;
   for (const auto& [key, value] : {std::pair{"`CurrentDrive::current`", drive.current.value_or(0.0)},
                                    {"`CurrentDrive::voltage`", drive.voltage.value_or(0.0)},
                                    {"`CurrentDrive::film`", drive.film}})
@@ -45,7 +45,7 @@ void require_current(const Numerics& numerics, const ShapedBody& lower, const Sh
     throw PlanError("{} together with `CurrentDrive::voltage` = {:g} V: each follows from the other; allowed: one of "
                     "them",
                     given_of(drive), *drive.voltage);
-  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
   {
     if (body->material.electrical)
       require_electrical(*body->material.electrical, name);

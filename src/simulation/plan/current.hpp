@@ -8,6 +8,6 @@ namespace brinell::simulation
 
 /// Checks that a current is possible: both bodies must conduct, and with a film their resistivity must not depend on temperature.
 /// @throws PlanError
-void require_current(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
+void require_current(const PairCase& c);
 
 } // namespace brinell::simulation

@@ -185,30 +185,29 @@ std::vector<double> sampled_depths(const Texture& texture, const SurfaceGrid& gr
   return cell_depths(texture, grid, at.x, at.y);
 }
 
-void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
-                              const SurfaceGrid& grid)
+void require_cells_in_periods(const PairCase& c, const SurfaceGrid& grid)
 {
   if (grid.is_periodic() && grid.size() == 1)
     throw PlanError("`Domain::cells` = [1, 1]: the pressure on a single cell is uniform and causes no "
                     "displacement; allowed: more than one cell along x or y");
   for (const bool along_y : {false, true})
   {
-    const Domain::Axis& axis = along_y ? domain.y : domain.x;
+    const Domain::Axis& axis = along_y ? c.domain.y : c.domain.x;
     if (!axis.is_periodic() || (along_y ? grid.ny : grid.nx) > 1)
       continue;
     const char* const name = along_y ? "y" : "x";
-    if (const double length = roller_length(lower.shape, upper.shape); along_y && length < axis.size)
+    if (const double length = roller_length(c.lower.shape, c.upper.shape); along_y && length < axis.size)
       throw PlanError("`Domain::size` = {:g} m along y, in one row, is more than the length of the cylinder, "
                       "{:g} m, whose ends one row cannot show; allowed: a period up to that length, or "
                       "`Domain::cells` > 1 along y",
                       axis.size, length);
-    if (const std::string varying = what_varies(lower, upper, along_y, axis.size); !varying.empty())
+    if (const std::string varying = what_varies(c.lower, c.upper, along_y, axis.size); !varying.empty())
       throw PlanError("`Domain::cells` is 1 along {0}: one cell takes bodies that are uniform along {0}, as in "
                       "plane strain, but {1}; allowed: the period along {0} as `Domain::size` and more "
                       "than one cell in it as `Domain::cells`",
                       name, varying);
   }
-  require_heights_on_cells(lower, upper, domain, grid);
+  require_heights_on_cells(c.lower, c.upper, c.domain, grid);
 }
 
 std::optional<std::string> reason_against_approach(const ShapedBody& lower, const ShapedBody& upper, double approach,

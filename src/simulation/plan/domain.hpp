@@ -25,8 +25,7 @@ void require_heights_on_cells(const ShapedBody& lower, const ShapedBody& upper, 
 /// @param grid  of the contact.
 /// @throws PlanError if bodies or textures are not uniform in that way; if there is only one cell, which no pressure displaces; or
 /// if the cells do not resolve the textures of flats
-void require_cells_in_periods(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain,
-                              const SurfaceGrid& grid);
+void require_cells_in_periods(const PairCase& c, const SurfaceGrid& grid);
 
 /// Why bodies that are periodic along both axes cannot approach by a given distance [m]; empty if they can. For such bodies the
 /// approach is counted from the mean planes, and at the mean distance of the surfaces the whole period is in contact.

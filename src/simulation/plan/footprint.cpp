@@ -350,9 +350,9 @@ bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)
   return lower.texture.is_smooth() && upper.texture.is_smooth();
 }
 
-bool needs_surfaces_only(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
+bool needs_surfaces_only(const PairCase& c)
 {
-  return !numerics.fields_within && !lower.material.is_plastic() && !upper.material.is_plastic();
+  return !c.fields_within && !c.lower.material.is_plastic() && !c.upper.material.is_plastic();
 }
 
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)

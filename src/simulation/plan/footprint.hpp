@@ -63,7 +63,7 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 [[nodiscard]] bool alike(const ShapedBody& lower, const ShapedBody& upper);
 
 /// Whether a run needs no fields within the bodies: none that yields, and none that is wanted.
-[[nodiscard]] bool needs_surfaces_only(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
+[[nodiscard]] bool needs_surfaces_only(const PairCase& c);
 
 /// Sets grids and tolerances of a plan, whose `surfaces_only` is set, for a contact that moves along the bodies.
 /// @param track_lower, track_upper  largest distance of the contact's centre from the middle of each body's grid [m].

@@ -7,10 +7,9 @@
 namespace brinell::simulation
 {
 
-void require_friction(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                      const std::string& reason)
+void require_friction(const PairCase& c, const std::string& reason)
 {
-  const auto& [coefficient, limit, coupling] = numerics.friction;
+  const auto& [coefficient, limit, coupling] = c.friction;
   const std::string given = fmt::format("`Friction::coefficient` = {:g}", coefficient);
   if (!(coefficient >= 0.0 && std::isfinite(coefficient)))
     throw PlanError("{}; allowed: number >= 0", given);
@@ -20,7 +19,7 @@ void require_friction(const Numerics& numerics, const ShapedBody& lower, const S
     return;
   if (!reason.empty())
     throw PlanError("{}: {}", given, reason);
-  if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
+  if (c.lower.material.elastic.is_rigid() && c.upper.material.elastic.is_rigid())
     throw PlanError("{} between two rigid bodies; allowed: one that deforms", given);
 }
 

@@ -56,9 +56,9 @@ void require_positive(const char* key, const std::optional<double>& value, const
 }
 
 /// Checks shape and strength of a heat source, and that there is a body to heat.
-void require_source(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
+void require_source(const PairCase& c)
 {
-  const elastoplastic::HeatSource& source = numerics.heat.source;
+  const elastoplastic::HeatSource& source = c.heat.source;
   using Shape = elastoplastic::HeatSource::Shape;
   if (!source.exists())
     return;
@@ -66,7 +66,7 @@ void require_source(const Numerics& numerics, const ShapedBody& lower, const Sha
     require_positive("`HeatSource::radius`", source.radius, "m");
   if (source.shape == Shape::rectangle)
     require_positive("`HeatSource::length`", source.length, "m");
-  if (source.shape == Shape::rectangle && (source.width || !numerics.domain.y.is_periodic()))
+  if (source.shape == Shape::rectangle && (source.width || !c.domain.y.is_periodic()))
     require_positive("`HeatSource::width`", source.width, "m");
   if (!std::isfinite(source.offset))
     throw PlanError("`HeatSource::offset` is not finite; allowed: a length");
@@ -76,8 +76,8 @@ void require_source(const Numerics& numerics, const ShapedBody& lower, const Sha
     require_positive("`HeatSource::flux`", source.flux, "W/m^2");
   else
     require_positive("`HeatSource::power`", source.power, "W");
-  const bool has_body = source.is_on_body() ? (source.side() == 0 ? lower : upper).material.thermal.has_value()
-                                            : lower.material.thermal || upper.material.thermal;
+  const bool has_body = source.is_on_body() ? (source.side() == 0 ? c.lower : c.upper).material.thermal.has_value()
+                                            : c.lower.material.thermal || c.upper.material.thermal;
   const char* name = source.is_on_body() && source.side() == 1 ? "upper" : "lower";
   if (!has_body)
     throw PlanError("{} is missing: `HeatSettings::source` heats this body; allowed: its thermal constants",
@@ -85,8 +85,7 @@ void require_source(const Numerics& numerics, const ShapedBody& lower, const Sha
 }
 
 /// Checks that there is a steady state, and that its displacement is defined.
-void require_steady(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                    const HeatedMotion& motion)
+void require_steady(const PairCase& c, const HeatedMotion& motion)
 {
   const auto refuse = [](const std::string& reason, const std::string& allowed)
   { throw PlanError("`HeatSettings::regime` = \"steady\", but {}; allowed: {}, or \"transient\"", reason, allowed); };
@@ -95,16 +94,16 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
         "in this regime the thermal displacement along the surfaces is not computed, on which their slip depends where "
         "they stick in places",
         "surfaces that slide everywhere");
-  if (numerics.domain.x.is_periodic())
+  if (c.domain.x.is_periodic())
     refuse("along a periodic axis of the motion heat accumulates without limit", "an open axis along x");
-  if (numerics.domain.y.is_periodic() && motion.upper_rests && upper.material.thermal)
+  if (c.domain.y.is_periodic() && motion.upper_rests && c.upper.material.thermal)
     refuse("in the upper body, which rests under its heat flux along a periodic axis, heat accumulates without limit",
            "open axes");
-  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
-    if (body->material.is_plastic() && numerics.heat.of_plastic_work > 0.0)
+  for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
+    if (body->material.is_plastic() && c.heat.of_plastic_work > 0.0)
       refuse(fmt::format("this regime cannot compute the heat of the plastic work of the {} body", name),
              "`HeatSettings::of_plastic_work` = 0");
-  if (motion.upper_rests && swells(upper.material) && numerics.heat.displacement && !numerics.heat.reference)
+  if (motion.upper_rests && swells(c.upper.material) && c.heat.displacement && !c.heat.reference)
     throw PlanError("`HeatSettings::reference` is missing: the upper body rests under its heat flux, and the thermal "
                     "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
                     "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
@@ -113,40 +112,39 @@ void require_steady(const Numerics& numerics, const ShapedBody& lower, const Sha
 
 } // namespace
 
-bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper)
+bool is_heated(const PairCase& c)
 {
-  return (numerics.friction.coefficient > 0.0 || numerics.heat.source.exists()) &&
-         (lower.material.thermal || upper.material.thermal);
+  return (c.friction.coefficient > 0.0 || c.heat.source.exists()) &&
+         (c.lower.material.thermal || c.upper.material.thermal);
 }
 
-void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                  const HeatedMotion& motion)
+void require_heat(const PairCase& c, const HeatedMotion& motion)
 {
   const std::optional<double>& speed = motion.speed;
   const std::string& speed_name = motion.speed_name;
-  require_share("`HeatSettings::fraction`", numerics.heat.fraction);
-  require_share("`HeatSettings::of_plastic_work`", numerics.heat.of_plastic_work);
-  if (numerics.heat.partition)
-    require_share("`HeatSettings::partition`", *numerics.heat.partition);
-  if (numerics.heat.conductance && !(*numerics.heat.conductance >= 0.0 && std::isfinite(*numerics.heat.conductance)))
-    throw PlanError("`HeatSettings::conductance` = {:g} W/(m^2 K); allowed: >= 0, or none", *numerics.heat.conductance);
-  if (numerics.heat.reference && !(*numerics.heat.reference > 0.0 && std::isfinite(*numerics.heat.reference)))
-    throw PlanError("`HeatSettings::reference` = {:g} m; allowed: > 0, or none", *numerics.heat.reference);
-  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  require_share("`HeatSettings::fraction`", c.heat.fraction);
+  require_share("`HeatSettings::of_plastic_work`", c.heat.of_plastic_work);
+  if (c.heat.partition)
+    require_share("`HeatSettings::partition`", *c.heat.partition);
+  if (c.heat.conductance && !(*c.heat.conductance >= 0.0 && std::isfinite(*c.heat.conductance)))
+    throw PlanError("`HeatSettings::conductance` = {:g} W/(m^2 K); allowed: >= 0, or none", *c.heat.conductance);
+  if (c.heat.reference && !(*c.heat.reference > 0.0 && std::isfinite(*c.heat.reference)))
+    throw PlanError("`HeatSettings::reference` = {:g} m; allowed: > 0, or none", *c.heat.reference);
+  for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
     require_solid(name, body->material);
   if (speed && !(*speed > 0.0 && std::isfinite(*speed)))
     throw PlanError("{} = {:g} {}; allowed: > 0", speed_name, *speed, motion.unit);
-  require_source(numerics, lower, upper);
-  if (!is_heated(numerics, lower, upper))
+  require_source(c);
+  if (!is_heated(c))
     return;
   if (!speed)
     throw PlanError("{} is missing: with {} and the thermal constants of a body the heat "
                     "depends on it; allowed: a {} > 0, as \"1 {}\"; or no thermal constants",
-                    speed_name, numerics.heat.source.exists() ? "a heat source" : "friction", motion.name, motion.unit);
-  if (numerics.heat.regime == elastoplastic::HeatRegime::steady)
-    require_steady(numerics, lower, upper, motion);
-  require_two_sides(numerics, lower.material, upper.material);
-  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+                    speed_name, c.heat.source.exists() ? "a heat source" : "friction", motion.name, motion.unit);
+  if (c.heat.regime == elastoplastic::HeatRegime::steady)
+    require_steady(c, motion);
+  require_two_sides(c, c.lower.material, c.upper.material);
+  for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
     if (!body->material.thermal && !body->material.elastic.is_rigid())
       throw PlanError("{} is missing, but the other body has thermal constants; allowed: thermal constants of both "
                       "bodies, of none, or a rigid body, which without them takes no heat",

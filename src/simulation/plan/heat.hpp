@@ -10,7 +10,7 @@ namespace brinell::simulation
 {
 
 /// Whether heat is computed: there is friction or a heat source, and at least one body has thermal constants.
-[[nodiscard]] bool is_heated(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper);
+[[nodiscard]] bool is_heated(const PairCase& c);
 
 /// Motion of heated bodies.
 struct HeatedMotion
@@ -26,8 +26,7 @@ struct HeatedMotion
 
 /// Checks the input of heat: it needs a speed or a frequency, and thermal constants of every body that deforms.
 /// @throws PlanError
-void require_heat(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper,
-                  const HeatedMotion& motion);
+void require_heat(const PairCase& c, const HeatedMotion& motion);
 
 /// Checks that a heat source on one body fits on the contact grid of a plan, and into its periods.
 /// @throws PlanError

@@ -74,13 +74,12 @@ bool is_symmetric_in_y(const Texture& texture)
   return std::all_of(texture.parts.begin(), texture.parts.end(), has_image);
 }
 
-bool is_solved_by_halves(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
-                         const SurfaceGrid& contact, bool one_sided)
+bool is_solved_by_halves(const PairCase& c, const SurfaceGrid& contact, bool one_sided)
 {
   const auto is_symmetric = [](const ShapedBody& body)
   { return is_symmetric_in_y(body.shape) && is_symmetric_in_y(body.texture); };
-  const bool is_worth = contact.ny > 1 && (lower.material.is_plastic() || upper.material.is_plastic());
-  return numerics.solver.symmetry && is_worth && !one_sided && is_symmetric(lower) && is_symmetric(upper);
+  const bool is_worth = contact.ny > 1 && (c.lower.material.is_plastic() || c.upper.material.is_plastic());
+  return c.solver.symmetry && is_worth && !one_sided && is_symmetric(c.lower) && is_symmetric(c.upper);
 }
 
 } // namespace brinell::simulation

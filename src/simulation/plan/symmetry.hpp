@@ -13,8 +13,7 @@ namespace brinell::simulation
 
 /// Whether both sides of the plane y = 0 are mirror images and half of each body is solved, in scenarios that move them along x.
 /// @param one_sided  the scenario excludes it: bodies pass beside each other, or may stick, which is not solved by halves
-[[nodiscard]] bool is_solved_by_halves(const ShapedBody& lower, const ShapedBody& upper, const Numerics& numerics,
-                                       const SurfaceGrid& contact, bool one_sided = false);
+[[nodiscard]] bool is_solved_by_halves(const PairCase& c, const SurfaceGrid& contact, bool one_sided = false);
 
 /// Mirrors the grids of a plan, or not.
 inline void mirror_grids(bool is_mirrored, Plan& plan)

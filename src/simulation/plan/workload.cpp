@@ -106,17 +106,17 @@ double slope_of_tip(const Shape& shape)
 /// Bodies, surfaces and motion of a run, from which factors and amounts follow.
 struct Situation
 {
-  const Numerics& numerics;
-  const ShapedBody &lower, &upper;
+  const PairCase& pair;
   const Plan& plan;
   const Course& course;
   double half_width; ///< of the contact along x [m]
+  const ShapedBody &lower = pair.lower, &upper = pair.upper;
   Softest soft = softest(lower, upper, 0.5 * half_width);
   bool is_smooth = are_smooth(lower, upper);
   bool is_of_flats = plan.contact.is_periodic(); ///< rough ones
   bool is_line = is_plane(plan.contact);
-  bool heats = is_heated(numerics, lower, upper);
-  double friction = numerics.friction.coefficient;
+  bool heats = is_heated(pair);
+  double friction = pair.friction.coefficient;
   double modulus = contact_modulus(lower.material.elastic, upper.material.elastic);
   double tip = std::max(slope_of_tip(lower.shape), slope_of_tip(upper.shape)); ///< slope; 0 without one
 
@@ -201,7 +201,7 @@ std::vector<Factor> factors_of(const Situation& s, double severity)
                               {"resolution", std::log(s.half_width / s.plan.contact.dx / 8.0)},
                               {"kinematic hardening", s.soft.is_kinematic ? 1.0 : 0.0},
                               {"both bodies", both ? 1.0 : 0.0},
-                              {"wear", s.numerics.wear.wears() ? 1.0 : 0.0},
+                              {"wear", s.pair.wear.wears() ? 1.0 : 0.0},
                               {"heat", s.heats ? 1.0 : 0.0},
                               {"steps of loading", presses * std::log(std::max(1.0, course.loading) / 8.0)},
                               {"unloading", presses * course.unloading / steps},
@@ -238,10 +238,10 @@ Sizes sizes_of(const Situation& s)
     if (!body->material.is_plastic())
       continue;
     const bool is_linear =
-        body->material.kinematic.empty() && s.numerics.solver.integration == elastoplastic::Integration::path &&
+        body->material.kinematic.empty() && s.pair.solver.integration == elastoplastic::Integration::path &&
         std::visit([]<typename Law>(const Law&) { return constitutive::is_linear<Law>; }, *body->material.hardening);
     const double cells = unit * static_cast<double>(grid->size());
-    sizes.transforms += unit * transform(evaluated(s.numerics, s.plan, grid->surface)) * grid->nz;
+    sizes.transforms += unit * transform(evaluated(s.pair, s.plan, grid->surface)) * grid->nz;
     sizes.cells += cells;
     sizes.nonlinear_cells += is_linear ? 0.0 : cells;
     sizes.heated_layers += s.heats && body->material.thermal ? all : 0.0;
@@ -257,11 +257,10 @@ std::vector<Amount> amounts_of(const Situation& s, const Storage& storage)
   const double part = s.plan.contact.is_mirrored_y ? share_of_half : 1.0, steps = s.course.steps();
   const double line = s.is_line ? 1.0 : 0.0, shears = s.friction > 0.0 ? 1.0 : 0.0;
   const double contact = unit * transform(s.plan.contact);
-  const bool is_steady = s.numerics.heat.regime == elastoplastic::HeatRegime::steady;
+  const bool is_steady = s.pair.heat.regime == elastoplastic::HeatRegime::steady;
   const double heat =
-      s.heats
-          ? unit * memory_parts(s.plan, s.lower.material, s.upper.material, s.numerics.solver, 1, &s.numerics.heat).heat
-          : 0.0;
+      s.heats ? unit * memory_parts(s.plan, s.lower.material, s.upper.material, s.pair.solver, 1, &s.pair.heat).heat
+              : 0.0;
   return {{"start", 1.0, 0.0},
           {"steps", steps, 0.0},
           {"evaluations", 0.0, s.can_yield() ? 1.0 : 0.0},
@@ -287,10 +286,9 @@ std::vector<Amount> amounts_of(const Situation& s, const Storage& storage)
 
 } // namespace
 
-Workload workload(const Numerics& numerics, const ShapedBody& lower, const ShapedBody& upper, const Plan& plan,
-                  double half_width, const Course& course, const Storage& storage)
+Workload workload(const PairCase& c, const Plan& plan, double half_width, const Course& course, const Storage& storage)
 {
-  const Situation situation{numerics, lower, upper, plan, course, half_width};
+  const Situation situation{c, plan, course, half_width};
   const double severity = situation.severity();
   const Certainty certainty = severity < begins_to_yield ? Certainty::elastic
                               : severity < is_deep       ? Certainty::yields

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stepper.hpp"
 
+#include "simulation/plan/heat.hpp"
+
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "coverage.hpp"
@@ -89,17 +91,20 @@ void Lattice::grow(int contact, int lower, int upper)
   upper_columns_ += upper;
 }
 
-Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper, const elastoplastic::Settings& solver,
-                            const Centre& start)
+Stepper::Setup setup_of(const PairCase& c, const Centre& start, const halfspace::HeatTimes& heat_times)
 {
-  return {.lower = lower.material,
-          .upper = upper.material,
-          .distance = [&lower, &upper](double x, double y)
-          { return height(lower.shape, x, y) + height(upper.shape, x, y); },
-          .solver = solver,
-          .start = start,
-          .lower_texture = lower.texture,
-          .upper_texture = upper.texture};
+  Stepper::Setup setup{.lower = c.lower.material,
+                       .upper = c.upper.material,
+                       .distance = [&c](double x, double y)
+                       { return height(c.lower.shape, x, y) + height(c.upper.shape, x, y); },
+                       .solver = c.solver,
+                       .start = start,
+                       .lower_texture = c.lower.texture,
+                       .upper_texture = c.upper.texture};
+  setup.sliding = {.friction = c.friction, .effects = c};
+  if (is_heated(c))
+    setup.sliding.heat = {c.heat, heat_times};
+  return setup;
 }
 
 namespace

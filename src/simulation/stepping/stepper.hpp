@@ -175,9 +175,9 @@ private:
   Coverage coverage_;
 };
 
-/// Setup for two bodies with shapes and textures; `start` as in the setup.
-[[nodiscard]] Stepper::Setup shaped_setup(const ShapedBody& lower, const ShapedBody& upper,
-                                          const elastoplastic::Settings& solver, const Centre& start);
+/// Setup of a case, whose surfaces slide everywhere; `start` as in the setup.
+/// @param heat_times  of heated bodies
+[[nodiscard]] Stepper::Setup setup_of(const PairCase& c, const Centre& start, const halfspace::HeatTimes& heat_times);
 
 /// Depths of a texture on the grid of a body [m]; empty if it is smooth.
 /// @param x0  surface coordinate of column 0 of the grid [m]

@@ -37,6 +37,8 @@ TEST(PlanTest, WhatAProgramMustNotGiveIsRefused)
       [](auto& c) { c.places.clear(); },
       [](auto& c) { c.resolution = 0.0; },
       [](auto& c) { c.extent = -1.0; },
+      [](auto& c) { c.wear.lower = 1e-15; },
+      [](auto& c) { c.heat.source.shape = elastoplastic::HeatSource::Shape::contact; },
       [](auto& c) {
         c.spacing = {{1e-6, 0.0, 1e-6}};
       },

@@ -91,16 +91,16 @@ TEST(Symmetry, IsUsedOnlyWhereItHolds)
   const ShapedBody dented{Plane{}, steel, Dent{.x = 0.0, .y = 0.1, .depth = 1e-6, .edge_radius = 0.025}};
   ShapedBody elastic = smooth;
   elastic.material.hardening.reset();
-  const Numerics numerics;
-  Numerics switched_off;
+  const auto pair = [](const ShapedBody& lower, const ShapedBody& upper) { return PairCase{{}, lower, upper}; };
+  PairCase switched_off = pair(smooth, elastic);
   switched_off.solver.symmetry = false;
-  EXPECT_TRUE(is_solved_by_halves(smooth, elastic, numerics, grid));
-  EXPECT_FALSE(is_solved_by_halves(smooth, elastic, switched_off, grid));
-  EXPECT_FALSE(is_solved_by_halves(smooth, dented, numerics, grid));
-  EXPECT_FALSE(is_solved_by_halves(dented, smooth, numerics, grid));
-  EXPECT_FALSE(is_solved_by_halves(elastic, elastic, numerics, grid)) << "nothing to gain";
-  EXPECT_FALSE(is_solved_by_halves(smooth, elastic, numerics, grid, true)) << "partial slip";
-  EXPECT_FALSE(is_solved_by_halves(smooth, elastic, numerics, {9, 1, 0.1, 0.1})) << "one row";
+  EXPECT_TRUE(is_solved_by_halves(pair(smooth, elastic), grid));
+  EXPECT_FALSE(is_solved_by_halves(switched_off, grid));
+  EXPECT_FALSE(is_solved_by_halves(pair(smooth, dented), grid));
+  EXPECT_FALSE(is_solved_by_halves(pair(dented, smooth), grid));
+  EXPECT_FALSE(is_solved_by_halves(pair(elastic, elastic), grid)) << "nothing to gain";
+  EXPECT_FALSE(is_solved_by_halves(pair(smooth, elastic), grid, true)) << "partial slip";
+  EXPECT_FALSE(is_solved_by_halves(pair(smooth, elastic), {9, 1, 0.1, 0.1})) << "one row";
 }
 
 } // namespace

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "brinell/simulation/scenario.hpp"
+
+#include <functional>
+
+/// Parts of a plan that all scenarios have once their grids are laid out.
+namespace brinell::simulation
+{
+
+/// Checks the grids of a plan against bodies and heat source, and sets the reference of its displacements.
+/// @throws PlanError
+void check_grids(const PairCase& c, Plan& plan);
+
+/// Ends a plan whose grids, steps, twin and symmetry are known: times of heat, textures, memory.
+/// @param sticks  whether the surfaces may stick in places, so that the shear has two components
+/// @param heat_times  of the motion; called where there is heat
+void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<halfspace::HeatTimes()>& heat_times);
+
+} // namespace brinell::simulation
