@@ -175,8 +175,7 @@ void BodyHeat::restore()
 void BodyHeat::require_layers(const VolumeGrid& body) const
 {
   if (field_ && static_cast<std::size_t>(body.nz) > field_->depths().size())
-    throw GridError("the plastic zone has become more than twice as deep as planned, and the heat is not known there; "
-                    "allowed: a larger `Numerics::extent`");
+    throw GridError("the plastic zone has become more than twice as deep as planned, and the heat is not known there");
 }
 
 /// Computes thermal stress and softening in the layers of the body, as far as they are needed.

@@ -108,7 +108,7 @@ std::vector<double> HeatedSide::on_body(std::span<const double> field, const cha
         lost = std::max(lost, std::abs(spread[rows.index(i, j)]));
   if (!all_columns || lost > 0.0)
     throw GridError(std::string("the contact has grown beyond the grid on which the heat of a body is kept, and its ") +
-                    what + " would be lost; allowed: a larger `Numerics::extent`");
+                    what + " would be lost");
   return out;
 }
 

@@ -69,7 +69,7 @@ void PlasticHeat::require_room(std::span<const double> work, const VolumeGrid& b
   if (constexpr double rounding = 1e-9; std::abs(all - kept) > rounding * all)
     throw GridError(
         "the plastic zone has grown beyond the grid on which the heat of a body is kept, and the heat of its "
-        "plastic work would be lost; allowed: a larger `Numerics::extent`");
+        "plastic work would be lost");
 }
 
 void PlasticHeat::settle(std::span<const double> work, const VolumeGrid& body, double duration)

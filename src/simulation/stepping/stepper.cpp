@@ -7,6 +7,7 @@
 #include "brinell/simulation/first_yield.hpp"
 #include "coverage.hpp"
 #include "foundation/nan.hpp"
+#include "naming_extent.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/memory.hpp"
 
@@ -268,7 +269,8 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
       motion.moved = {(*target.passing)[0] * motion.duration, (*target.passing)[1] * motion.duration};
     else if (!motion.is_put_down)
       motion.moved = {target.centre.lower - centre_.lower, target.centre.upper - centre_.upper};
-    const IncrementReport report = pair_->advance(distance_, target.drive, frame.placement, strategy, motion);
+    const IncrementReport report =
+        naming_extent([&] { return pair_->advance(distance_, target.drive, frame.placement, strategy, motion); });
     evaluations_ += report.evaluations;
     if (report.converged)
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/contact/contact_area.hpp"
+#include "naming_extent.hpp"
 #include "snapshot.hpp"
 #include "stepper.hpp"
 
@@ -166,17 +167,21 @@ StepFields Stepper::fields(const Centre& centre) const
   std::function<std::vector<double>()> lower_temperature, upper_temperature;
   if (pair_->heating() != nullptr)
   {
-    lower_temperature = [this] { return pair_->temperature(0); };
-    upper_temperature = [this] { return pair_->temperature(1); };
+    lower_temperature = [this] { return naming_extent([&] { return pair_->temperature(0); }); };
+    upper_temperature = [this] { return naming_extent([&] { return pair_->temperature(1); }); };
   }
   const auto& [lower_place, upper_place] = frame.placement;
   using Cells = std::span<const std::size_t>;
   fields.lower = fields_within(
-      pair_->lower(), [this, place = lower_place] { return pair_->stress(0, place); }, lower_temperature,
-      [this, place = lower_place](Cells cells) { return pair_->cells(0, place, cells); });
+      pair_->lower(), [this, place = lower_place] { return naming_extent([&] { return pair_->stress(0, place); }); },
+      lower_temperature,
+      [this, place = lower_place](Cells cells)
+      { return naming_extent([&] { return pair_->cells(0, place, cells); }); });
   fields.upper = fields_within(
-      pair_->upper(), [this, place = upper_place] { return pair_->stress(1, place); }, upper_temperature,
-      [this, place = upper_place](Cells cells) { return pair_->cells(1, place, cells); });
+      pair_->upper(), [this, place = upper_place] { return naming_extent([&] { return pair_->stress(1, place); }); },
+      upper_temperature,
+      [this, place = upper_place](Cells cells)
+      { return naming_extent([&] { return pair_->cells(1, place, cells); }); });
   return fields;
 }
 
