@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
+#include "column_statistics.hpp"
 #include "drive_meter.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
@@ -69,7 +70,7 @@ public:
             !is_pressing};
   }
 
-  void read(Stepper& stepper, const FrettingRecord& /*before*/, FrettingRecord& r)
+  void read(Stepper& stepper, const FrettingRecord& before, FrettingRecord& r)
   {
     r.cycle = cycle();
     r.pass = std::max(1, r.cycle);
@@ -79,16 +80,15 @@ public:
     if (slip != nullptr)
       read(*slip, r);
     if (r.cycle > 0)
-      add_to_cycle(r);
-    if (r.cycle > 0 && slip != nullptr)
-      current_.slip_amplitude = 0.25 * paths_.largest_growth(stepper.pair().grid(), slip->path());
+      current_.add(before, r);
     ++done_;
     const int moved = done_ - case_.press_steps;
     if (moved < 0 || moved % case_.steps_per_cycle != 0)
       return;
     if (moved > 0)
-      cycles_.push_back(current_);
-    begin_cycle(r);
+      cycles_.push_back(finished_cycle(stepper));
+    current_ = {};
+    work_before_ = work_along_;
     if (slip != nullptr)
       paths_.begin(stepper.pair().grid(), slip->path());
   }
@@ -100,26 +100,14 @@ public:
     archive("drive", meter_);
     archive("work_along", work_along_);
     archive("current", current_);
-    archive("begun", begun_);
-    archive("begun_paths", paths_);
+    archive("work_before", work_before_);
+    archive("paths_before", paths_);
     archive.list("cycles", cycles_);
     archive("from", from_);
     archive("done", done_, 0, steps_);
   }
 
 private:
-  /// Totals at the beginning of the current cycle.
-  struct Begun
-  {
-    double along = 0.0, friction = 0.0, plastic = 0.0; ///< [J]
-
-    void exchange(Archive& archive)
-    {
-      archive("along", along);
-      archive("friction", friction);
-      archive("plastic", plastic);
-    }
-  };
   /// Slip path of each point at the beginning of the current cycle.
   class Paths
   {
@@ -197,27 +185,22 @@ private:
     read_slip(slip, work_along_, r);
   }
 
-  void begin_cycle(const FrettingRecord& r)
+  [[nodiscard]] FrettingCycle finished_cycle(const Stepper& stepper) const
   {
-    begun_ = {work_along_, r.dissipation_friction, plastic(r)};
-    current_ = {};
-    current_.stick_share = 1.0;
+    using R = FrettingRecord;
+    FrettingCycle c;
+    c.cycle = static_cast<int>(current_.last(&R::cycle));
+    c.work = work_along_ - work_before_;
+    c.dissipation_friction = current_.growth(&R::dissipation_friction);
+    c.dissipation_plastic = current_.growth(&R::dissipation_lower, &R::dissipation_upper);
+    c.max_force = current_.largest_magnitude(&R::force);
+    c.max_displacement = current_.largest_magnitude(&R::displacement);
+    if (const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip())
+      c.slip_amplitude = 0.25 * paths_.largest_growth(stepper.pair().grid(), slip->path());
+    c.stick_share = current_.smallest(&R::stick_share);
+    c.max_equivalent_plastic_strain = current_.last(&R::max_equivalent_plastic_strain);
+    return c;
   }
-
-  void add_to_cycle(const FrettingRecord& r)
-  {
-    FrettingCycle& c = current_;
-    c.cycle = r.cycle;
-    c.work = work_along_ - begun_.along;
-    c.dissipation_friction = r.dissipation_friction - begun_.friction;
-    c.dissipation_plastic = plastic(r) - begun_.plastic;
-    c.max_force = std::max(c.max_force, std::abs(r.force));
-    c.max_displacement = std::max(c.max_displacement, std::abs(r.displacement));
-    c.stick_share = std::min(c.stick_share, r.stick_share);
-    c.max_equivalent_plastic_strain = r.max_equivalent_plastic_strain;
-  }
-
-  [[nodiscard]] static double plastic(const FrettingRecord& r) { return r.dissipation_lower + r.dissipation_upper; }
 
   const FrettingCase& case_;
   int steps_; ///< number of steps of the run
@@ -225,10 +208,10 @@ private:
   double cos_, sin_;
   double from_ = 0.0; ///< load or approach at the start
   DriveMeter meter_;
-  double work_along_ = 0.0; ///< of the tangential force since the start [J]
-  Begun begun_;
+  double work_along_ = 0.0;  ///< of the tangential force since the start [J]
+  double work_before_ = 0.0; ///< before the current cycle [J]
   Paths paths_;
-  FrettingCycle current_;
+  ColumnStatistics<FrettingRecord> current_; ///< over the steps of the current cycle
   std::vector<FrettingCycle> cycles_;
   int done_ = 0; ///< number of finished steps
 };

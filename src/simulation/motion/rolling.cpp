@@ -51,7 +51,7 @@ public:
     const Centre from = centre(moment(step_in_pass_).x);
     if (step_in_pass_ == 0)
     {
-      track_.begin_pass(stepper.pair().lower().solved(), dissipation(stepper));
+      track_.begin_pass(stepper.pair().lower().solved());
       meter_.begin(moment(0.0).x, stepper.clearance(from));
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
@@ -77,7 +77,7 @@ public:
             moves, [this, &stepper] { read_onset(stepper); }};
   }
 
-  void read(Stepper& stepper, const RollingRecord& /*before*/, RollingRecord& r)
+  void read(Stepper& stepper, const RollingRecord& before, RollingRecord& r)
   {
     r.pass = pass_ + 1;
     r.x = moment(step_in_pass_ + 1).x;
@@ -94,10 +94,10 @@ public:
     r.dissipation_friction += work.shear - stepper.shear_work();
     read_shear(stepper, r);
     r.friction = force_ratio(r.F_X, r.F_n, plan_);
-    track_.add(r);
+    track_.add(before, r);
     if (++step_in_pass_ < steps_per_pass())
       return;
-    passes_.push_back(track_.end_pass(stepper.pair(), dissipation(stepper)));
+    passes_.push_back(track_.end_pass(stepper.pair()));
     passes_.back().pass = ++pass_;
     step_in_pass_ = 0;
   }
@@ -215,11 +215,6 @@ private:
   [[nodiscard]] Drive drive(double share) const
   {
     return {case_.drive.kind, touch_ + (case_.drive.value - touch_) * share};
-  }
-
-  [[nodiscard]] static double dissipation(const Stepper& stepper)
-  {
-    return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
   }
 
   const RollingCase& case_;

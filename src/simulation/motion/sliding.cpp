@@ -46,8 +46,6 @@ public:
       if (done_ == 0)
         meter_.begin(0.0, touch.smallest);
     }
-    if (slides(done_) && in_stroke(done_) == 0)
-      reader_.begin_stroke(stepper);
     const bool moves = slides(done_);
     const auto path = [this, moves](double t)
     {
@@ -87,11 +85,14 @@ public:
     const DriveMeter::Work work = meter_.to({r.slid, r.approach, r.F_n, sign * r.F_X, sign * r.F_friction});
     r.work += work.drive;
     r.dissipation_friction += work.shear - stepper.shear_work();
-    if (moves)
-      reader_.add(r);
     ++done_;
-    if (moves && in_stroke(done_) == 0)
-      strokes_.push_back(reader_.end_stroke(stepper, r));
+    if (!moves)
+      return;
+    stroke_.add(before, r);
+    if (in_stroke(done_) != 0)
+      return;
+    strokes_.push_back(stroke_of(stroke_, stepper));
+    stroke_ = {};
   }
 
   void summarise(SlidingSummary& summary, const StepFields& /*end*/) const
@@ -105,7 +106,7 @@ public:
   void exchange(Archive& archive)
   {
     archive("drive", meter_);
-    archive("reader", reader_);
+    archive("stroke", stroke_);
     archive.list("strokes", strokes_);
     archive("lifted", lifted_);
     archive("done", done_, 0, plan_.steps);
@@ -202,7 +203,7 @@ private:
   const SlidingCase& case_;
   const SlidingPlan& plan_;
   DriveMeter meter_;
-  StrokeReader reader_;
+  ColumnStatistics<SlidingRecord> stroke_; ///< over the steps of the current stroke
   std::vector<SlidingStroke> strokes_;
   double lifted_ = 0.0; ///< value of the drive without contact
   int done_ = 0;        ///< number of finished steps

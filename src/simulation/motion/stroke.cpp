@@ -15,11 +15,6 @@ namespace brinell::simulation
 namespace
 {
 
-double plastic_work(const Stepper& stepper)
-{
-  return stepper.pair().lower().solved().state().dissipation + stepper.pair().upper().solved().state().dissipation;
-}
-
 /// Roughness of a surface with texture, residual displacement and wear.
 struct Heights
 {
@@ -43,41 +38,28 @@ Heights heights_of(const elastoplastic::BodyView& body, std::span<const double> 
 
 } // namespace
 
-void StrokeReader::begin_stroke(const Stepper& stepper)
-{
-  sums_ = {};
-  plastic_before_ = plastic_work(stepper);
-  friction_before_ = friction_;
-}
-
-void StrokeReader::add(const SlidingRecord& r)
-{
-  sums_.add(r);
-  friction_ = r.dissipation_friction;
-}
-
-SlidingStroke StrokeReader::end_stroke(const Stepper& stepper, const SlidingRecord& last) const
+SlidingStroke stroke_of(const ColumnStatistics<SlidingRecord>& rows, const Stepper& stepper)
 {
   SlidingStroke stroke;
-  stroke.stroke = last.pass;
   using R = SlidingRecord;
-  const double load = sums_.sum(&R::F_n), ploughing = sums_.sum(&R::F_ploughing), shear = sums_.sum(&R::F_friction);
+  stroke.stroke = static_cast<int>(rows.last(&R::pass));
+  const double load = rows.sum(&R::F_n), ploughing = rows.sum(&R::F_ploughing), shear = rows.sum(&R::F_friction);
   if (load > 0.0)
   {
     stroke.friction_ploughing = ploughing / load;
     stroke.friction_interfacial = shear / load;
     stroke.friction = stroke.friction_ploughing + stroke.friction_interfacial;
   }
-  stroke.mean_F_X = (ploughing + shear) / sums_.count();
-  stroke.contact_area = sums_.mean(&R::contact_area);
-  stroke.contact_fraction = sums_.mean(&R::contact_fraction);
-  stroke.patches = sums_.mean(&R::patches);
-  stroke.largest_patch = sums_.mean(&R::largest_patch);
-  stroke.mean_gap = sums_.mean(&R::mean_gap);
-  stroke.max_pressure = sums_.mean(&R::max_pressure);
-  stroke.dissipation_plastic = plastic_work(stepper) - plastic_before_;
-  stroke.dissipation_friction = last.dissipation_friction - friction_before_;
-  stroke.max_equivalent_plastic_strain = last.max_equivalent_plastic_strain;
+  stroke.mean_F_X = (ploughing + shear) / rows.count();
+  stroke.contact_area = rows.mean(&R::contact_area);
+  stroke.contact_fraction = rows.mean(&R::contact_fraction);
+  stroke.patches = rows.mean(&R::patches);
+  stroke.largest_patch = rows.mean(&R::largest_patch);
+  stroke.mean_gap = rows.mean(&R::mean_gap);
+  stroke.max_pressure = rows.mean(&R::max_pressure);
+  stroke.dissipation_plastic = rows.growth(&R::dissipation_lower, &R::dissipation_upper);
+  stroke.dissipation_friction = rows.growth(&R::dissipation_friction);
+  stroke.max_equivalent_plastic_strain = rows.last(&R::max_equivalent_plastic_strain);
   const Heights lower = heights_of(stepper.pair().lower(), worn_depth(stepper.pair(), 0));
   const Heights upper = heights_of(stepper.pair().upper(), worn_depth(stepper.pair(), 1));
   stroke.rms_height_lower = lower.root_mean_square;
@@ -91,14 +73,6 @@ SlidingStroke StrokeReader::end_stroke(const Stepper& stepper, const SlidingReco
   stroke.valley_depth_lower = lower.bearing.valley_depth;
   stroke.valley_depth_upper = upper.bearing.valley_depth;
   return stroke;
-}
-
-void StrokeReader::exchange(Archive& archive)
-{
-  archive("sums", sums_);
-  archive("plastic_before", plastic_before_);
-  archive("friction_before", friction_before_);
-  archive("friction", friction_);
 }
 
 } // namespace brinell::simulation

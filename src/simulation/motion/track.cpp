@@ -30,29 +30,29 @@ double strain_in_middle(const elastoplastic::Body& body, int layer)
 
 TrackReader::TrackReader(double distance, double shift) : quarter_(std::max(0.25 * distance, shift) * (1.0 + 1e-9)) {}
 
-void TrackReader::begin_pass(const elastoplastic::Body& lower, double dissipation)
+void TrackReader::begin_pass(const elastoplastic::Body& lower)
 {
   plastic_strain_.assign(static_cast<std::size_t>(lower.grid().nz), 0.0);
   for (int layer = 0; layer < lower.grid().nz; ++layer)
     plastic_strain_[static_cast<std::size_t>(layer)] = strain_in_middle(lower, layer);
-  dissipation_ = dissipation;
-  middle_ = before_ = after_ = {};
+  whole_ = middle_ = before_ = after_ = {};
   farthest_ = -4.0 * quarter_; // before the start
 }
 
 /// Stick and slip depend on the start of the pass, not on its end: means are over the last quarter of the track.
-void TrackReader::add_tangential(const RollingRecord& record)
+void TrackReader::add_tangential(const RollingRecord& before, const RollingRecord& record)
 {
   const bool rolls = record.x > farthest_; // otherwise the body is pressed on or lifted off
   farthest_ = std::max(farthest_, record.x);
   if (!rolls || record.x <= quarter_)
     return;
-  (record.x <= 1.5 * quarter_ ? before_ : after_).add(record);
+  (record.x <= 1.5 * quarter_ ? before_ : after_).add(before, record);
 }
 
-void TrackReader::add(const RollingRecord& record)
+void TrackReader::add(const RollingRecord& before, const RollingRecord& record)
 {
-  add_tangential(record);
+  whole_.add(before, record);
+  add_tangential(before, record);
   if (std::abs(record.x) > quarter_)
     return;
   const Uptake now{record.x, record.dissipation_lower + record.dissipation_upper + record.energy_residual};
@@ -61,10 +61,10 @@ void TrackReader::add(const RollingRecord& record)
   if (middle_.count() == 0 || std::abs(now.x) < std::abs(centre_.x))
     centre_ = now;
   last_ = now;
-  middle_.add(record);
+  middle_.add(before, record);
 }
 
-RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const
+RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair) const
 {
   const elastoplastic::BodyState& lower = pair.lower().solved().state();
   const VolumeGrid& grid = pair.lower().grid(); // may have grown in the pass
@@ -73,8 +73,7 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
   pass.rut_depth = lower.residual_displacement[middle(grid, 0)];
   for (int j = 0; j < s.ny; ++j)
     pass.shoulder_height = std::max(pass.shoulder_height, -lower.residual_displacement[s.index((s.nx - 1) / 2, j)]);
-  pass.max_equivalent_plastic_strain =
-      std::max(pair.lower().solved().plastic_zone().largest(), pair.upper().solved().plastic_zone().largest());
+  pass.max_equivalent_plastic_strain = whole_.last(&RollingRecord::max_equivalent_plastic_strain);
   for (int layer = 0; layer < grid.nz; ++layer)
   {
     const auto l = static_cast<std::size_t>(layer);
@@ -83,7 +82,7 @@ RollingPass TrackReader::end_pass(const elastoplastic::CoupledContact& pair, dou
     pass.track_plastic_strain = std::max(pass.track_plastic_strain, now);
     pass.track_plastic_increment = std::max(pass.track_plastic_increment, now - before);
   }
-  pass.dissipation = dissipation - dissipation_;
+  pass.dissipation = whole_.growth(&RollingRecord::dissipation_lower, &RollingRecord::dissipation_upper);
   fill_tangential(pass);
   if (middle_.count() == 0)
     return pass;
@@ -131,10 +130,10 @@ void TrackReader::fill_tangential(RollingPass& pass) const
 void TrackReader::exchange(Archive& archive)
 {
   archive.list("plastic_strain", plastic_strain_);
-  archive("dissipation", dissipation_);
   archive("first", first_);
   archive("centre", centre_);
   archive("last", last_);
+  archive("whole", whole_);
   archive("middle", middle_);
   archive("before", before_);
   archive("after", after_);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/simulation/rolling.hpp"
-#include "column_sums.hpp"
+#include "column_statistics.hpp"
 
 namespace brinell::simulation
 {
@@ -15,10 +15,9 @@ public:
   /// @param shift     from record to record [m]
   TrackReader(double distance, double shift);
 
-  /// @param dissipation  of both bodies so far [J]
-  void begin_pass(const elastoplastic::Body& lower, double dissipation);
-  void add(const RollingRecord& record);
-  [[nodiscard]] RollingPass end_pass(const elastoplastic::CoupledContact& pair, double dissipation) const;
+  void begin_pass(const elastoplastic::Body& lower);
+  void add(const RollingRecord& before, const RollingRecord& record);
+  [[nodiscard]] RollingPass end_pass(const elastoplastic::CoupledContact& pair) const;
 
   void exchange(Archive& archive);
 
@@ -30,15 +29,15 @@ private:
     double x = 0.0, energy = 0.0;
     void exchange(Archive& archive);
   };
-  using Sums = ColumnSums<RollingRecord>;
-  void add_tangential(const RollingRecord& record);
+  using Statistics = ColumnStatistics<RollingRecord>;
+  void add_tangential(const RollingRecord& before, const RollingRecord& record);
   void fill_tangential(RollingPass& pass) const;
 
   std::vector<double> plastic_strain_; ///< equivalent plastic strain under the middle, before the pass
-  double dissipation_ = 0.0;           ///< before the pass [J]
   Uptake first_, centre_, last_;       ///< over the middle half of the track
-  Sums middle_;                        ///< over the middle half of the track
-  Sums before_, after_;                ///< over the first and the second half of the last quarter of the track
+  Statistics whole_;                   ///< over the pass, with pressing on and lifting off
+  Statistics middle_;                  ///< over the middle half of the track
+  Statistics before_, after_;          ///< over the first and the second half of the last quarter of the track
   double farthest_ = 0.0;              ///< largest x of the contact in the pass [m]
 };
 
