@@ -74,21 +74,6 @@ std::string report_text(const io::Case& c, const io::ScenarioPlan& plan, const S
   return info.accuracy ? text + accuracy_text(*info.accuracy) : text;
 }
 
-/// The run from its start, or from a checkpoint. @throws InputError that names the file if the checkpoint does not fit
-template <typename ScenarioCase>
-simulation::Run<ScenarioCase> begun(const ScenarioCase& scenario, const simulation::Watch& watch,
-                                    const Archive::Fields* checkpoint, const typename ScenarioCase::Plan& plan)
-try
-{
-  return simulation::Run<ScenarioCase>(scenario, watch, checkpoint, plan);
-}
-catch (const InputError& error)
-{
-  if (checkpoint == nullptr)
-    throw;
-  throw InputError(fmt::format("checkpoint.h5: {}; run without --resume", error.what()));
-}
-
 /// Runs one scenario, writes its steps and finishes the results.
 /// @param Results  io::ResultDirectory or io::ResultImage
 template <typename ScenarioCase, typename Results>
@@ -150,8 +135,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::
     if (monitor.on_remark)
       monitor.on_remark(text(change));
   };
-  std::optional<simulation::Run<ScenarioCase>> run =
-      begun(scenario, observer, checkpoint ? &*checkpoint : nullptr, plan);
+  std::optional<simulation::Run<ScenarioCase>> run(std::in_place, scenario, observer,
+                                                   checkpoint ? &*checkpoint : nullptr, plan);
   // Cells that have been asked for before are followed in the evaluations, with other rounding: as if the run had not stopped.
   if (checkpoint && !c.output.points.empty())
     static_cast<void>(io::point_rows(c.output.points, 0, run->fields()));
