@@ -25,7 +25,7 @@ author = "brinell's authors"
 version = release = (ROOT / "VERSION").read_text(encoding="utf-8").strip()
 
 root_doc = "docs/index"
-include_patterns = ["docs/**", "cases/*/README.md", "bench/README.md", "bench/notebook/*.md"]
+include_patterns = ["docs/**", "cases/*/README.md", "fits/*/README.md", "bench/README.md", "bench/notebook/*.md"]
 include_patterns += ["CHANGELOG.md", "CONTRIBUTING.md"]
 exclude_patterns = [".git", ".venv", "build", "results", "docs/tutorials", "docs/_templates"]
 

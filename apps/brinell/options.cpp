@@ -23,6 +23,7 @@ constexpr PythonCommand python_commands[] = {
     {"plot", "Draw figures of results"},
     {"report", "Write an HTML page on a run, with figures to turn and zoom"},
     {"sweep", "Run a case for many values of its keys"},
+    {"fit", "Find unknown keys of a case from measured curves"},
     {"surface", "Make, read, inspect and write surfaces"},
     {"material", "Show what becomes of a measured stress-strain curve"},
     {"export", "Convert stored fields for other programs"},

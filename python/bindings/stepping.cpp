@@ -29,11 +29,44 @@ template <typename... ScenarioCase>
 using RunsOf = std::variant<simulation::Run<ScenarioCase>...>;
 using AnyRun = simulation::Scenarios<RunsOf>;
 
-/// A run that Python steps. Nothing is written.
+/// Number of threads of what the calling thread computes, for as long as this lives; 0: as OpenMP decides.
+class ThreadsHere
+{
+public:
+  explicit ThreadsHere(int count) : before_(omp_get_max_threads())
+  {
+    if (count > 0)
+      omp_set_num_threads(count);
+  }
+  ~ThreadsHere() { omp_set_num_threads(before_); }
+  ThreadsHere(const ThreadsHere&) = delete;
+  ThreadsHere& operator=(const ThreadsHere&) = delete;
+
+private:
+  int before_;
+};
+
+/// What a function returns that is called without the interpreter's lock.
+/// @param threads  number of threads; 0: as OpenMP decides
+template <typename Function>
+auto computed(int threads, const Function& function)
+{
+  return without_lock(
+      [&]
+      {
+        const ThreadsHere here(threads);
+        return function();
+      });
+}
+
+/// A run that Python steps. Nothing is written. Several runs may be stepped at once, each by a thread of its own.
 class Stepping
 {
 public:
-  explicit Stepping(io::Case c) : case_(std::move(c)), run_(without_lock([&] { return start(case_, calls_); })) {}
+  Stepping(io::Case c, int threads)
+      : case_(std::move(c)), threads_(threads), run_(computed(threads_, [&] { return start(case_, calls_); }))
+  {
+  }
   Stepping(const Stepping&) = delete; // the run calls `calls_`
   Stepping& operator=(const Stepping&) = delete;
 
@@ -52,7 +85,7 @@ public:
     std::vector<io::NamedNumber> row;
     try
     {
-      row = without_lock([&] { return std::visit([](auto& run) { return io::columns(run.step()); }, run_); });
+      row = computed(threads_, [&] { return std::visit([](auto& run) { return io::columns(run.step()); }, run_); });
     }
     catch (const Interrupted&) // by what Python raised
     {
@@ -67,7 +100,7 @@ public:
   [[nodiscard]] nb::dict fields() const
   {
     simulation::Snapshot s =
-        without_lock([&] { return std::visit([](const auto& run) { return run.snapshot(); }, run_); });
+        computed(threads_, [&] { return std::visit([](const auto& run) { return run.snapshot(); }, run_); });
     const Shape shape{static_cast<std::size_t>(s.contact.ny), static_cast<std::size_t>(s.contact.nx)};
     nb::dict result;
     result["x"] = line(s.x0, s.contact.dx, s.contact.nx);
@@ -97,7 +130,7 @@ public:
 
   [[nodiscard]] std::string summary_text() const
   {
-    return without_lock([&] { return std::visit([&](const auto& run) { return text_of(run); }, run_); });
+    return computed(threads_, [&] { return std::visit([&](const auto& run) { return text_of(run); }, run_); });
   }
 
 private:
@@ -167,6 +200,7 @@ private:
   }
 
   io::Case case_;
+  int threads_;
   PythonCalls calls_;
   AnyRun run_;
 };
@@ -176,7 +210,7 @@ private:
 void bind_stepping(nb::module_& m)
 {
   nb::class_<Stepping>(m, "Stepping")
-      .def(nb::init<io::Case>(), "case"_a)
+      .def(nb::init<io::Case, int>(), "case"_a, "threads"_a = 0)
       .def_prop_ro("is_done", &Stepping::is_done)
       .def_prop_ro("step_count", &Stepping::step_count)
       .def("step", &Stepping::step)

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         contact,
         elastoplastic,
         export,
+        fits,
         green,
         halfspace,
         heat,
@@ -66,6 +67,7 @@ if TYPE_CHECKING:
         IoError,
         MissingExtraError,
     )
+    from brinell.fits import fit
     from brinell.forecast import Forecast
     from brinell.materials import (
         RIGID,
@@ -171,6 +173,8 @@ __all__ = [
     "contact",
     "elastoplastic",
     "export",
+    "fit",
+    "fits",
     "green",
     "halfspace",
     "heat",
@@ -188,6 +192,7 @@ _MODULES = {
     "case": "Case CaseWarning ReplacementWarning ResolutionWarning",
     "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
     "MissingExtraError",
+    "fits": "fit",
     "forecast": "Forecast",
     "materials": "RIGID Electrical Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
     "SofteningTable Swift SwiftMicrostrain Table Thermal Voce",

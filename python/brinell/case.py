@@ -320,8 +320,13 @@ class Case:
         weakref.finalize(run, shutil.rmtree, folder, ignore_errors=True)
         return run
 
-    def steps(self) -> Stepping:
+    def steps(self, *, threads: int | None = None) -> Stepping:
         """Computes the case step by step, ``for record in case.steps(): ...``, and writes no files.
+
+        Several cases may be computed at once, each in a thread of Python of its own.
+
+        Args:
+            threads: number of threads of each step; None: as OpenMP decides.
 
         Returns:
             An iterator over the rows of the history, with access to the fields after each step.
@@ -329,7 +334,7 @@ class Case:
         Raises:
             InputError: the grid does not fit this machine.
         """
-        return Stepping(self)
+        return Stepping(self, _thread_count(threads))
 
     def _with_warnings_issued(self, run: Run, told: Iterable[str]) -> Run:
         """Issues the warnings of a run, except those of the case, issued when it was read, and those told before."""

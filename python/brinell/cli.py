@@ -20,6 +20,7 @@ COMMANDS = {
     "plot": "brinell.plot.cli:plot",
     "report": "brinell.report.cli:report",
     "sweep": "brinell.sweeps.cli:command",
+    "fit": "brinell.fits.cli:command",
     "surface": "brinell.surface_commands:surface",
     "material": "brinell.material_commands:material",
     "export": "brinell.export:export",

@@ -24,16 +24,17 @@ class Stepping(Iterator[dict[str, float]]):
     Made by `Case.steps`. The loop may be left and continued later; after Ctrl-C the run cannot be continued.
     """
 
-    def __init__(self, case: Case):
+    def __init__(self, case: Case, threads: int = 0):
         """Sets up the grids and positions the bodies.
 
         Args:
             case: the case to compute.
+            threads: number of threads; 0: as OpenMP decides.
 
         Raises:
             InputError: the grid does not fit this machine.
         """
-        self._core = _core.Stepping(case._core)
+        self._core = _core.Stepping(case._core, threads)
         self._title = case.title or case.name
         self._taken = 0
 

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # docs/_*: what the build of the site writes.
 PAGES = [
     page
-    for pattern in ("*.md", "bench/**/*.md", "cases/*/*.md", "docs/**/*.md")
+    for pattern in ("*.md", "bench/**/*.md", "cases/*/*.md", "fits/*/*.md", "docs/**/*.md")
     for page in sorted(ROOT.glob(pattern))
     if not any(part.startswith("_") for part in page.relative_to(ROOT).parts)
 ]
@@ -133,7 +133,17 @@ def test_the_lists_of_the_summary_are_on_the_page_and_in_python(part: str, kind:
 @pytest.mark.parametrize(
     "page",
     [
-        *("boundaries", "creepage", "curves", "fretting", "notebooks", "rough-sliding", "rough-surfaces", "sliding"),
+        *(
+            "boundaries",
+            "creepage",
+            "curves",
+            "fit",
+            "fretting",
+            "notebooks",
+            "rough-sliding",
+            "rough-surfaces",
+            "sliding",
+        ),
         "../developer/wear-laws",
     ],
 )

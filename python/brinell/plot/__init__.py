@@ -13,11 +13,11 @@ friction, in one state), `current` (electric contact), `history`, `energy` and `
 (histories at points within the bodies), `residual` (the permanent shape of the surfaces), `temperature` (step by step,
 and in one state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing
 asperities), `standard` (what suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve),
-`sweeps` (key numbers over what varies), `cli` (`brinell plot`). Below them: `style` (the look of all figures),
-`placing` (figures in axes of the caller), `scales` (what each quantity is divided by), `quantities` (the fields by
-name), `planes` and `cuts` (fields on a plane), `overlay` (several results in one figure), `differences` (their names),
-`states` (which state and which bodies), `where` (where bodies are cut unless told), `cells` (cell values as pictures),
-`sheets` (maps that are long).
+`sweeps` (key numbers over what varies), `fits` (curves, joint intervals and profiles of a fit), `cli` (`brinell plot`).
+Below them: `style` (the look of all figures), `placing` (figures in axes of the caller), `scales` (what each quantity
+is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results
+in one figure), `differences` (their names), `states` (which state and which bodies), `where` (where bodies are cut
+unless told), `cells` (cell values as pictures), `sheets` (maps that are long).
 """
 
 from brinell.plot.animation import animate, save_animation
@@ -28,6 +28,7 @@ from brinell.plot.curves import measured_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
+from brinell.plot.fits import fit_corner, fit_curve, fit_depth_profile, fit_profiles
 from brinell.plot.fretting import (
     contact_heat,
     contact_maps,
@@ -94,6 +95,10 @@ __all__ = [
     "fig13",
     "fig14",
     "fig15",
+    "fit_corner",
+    "fit_curve",
+    "fit_depth_profile",
+    "fit_profiles",
     "force_loops",
     "fretting_course",
     "friction_heat_map",
