@@ -129,28 +129,23 @@ def test_kinematic_hardening_is_found_from_a_cycle() -> None:
         }
     )
     depth, load = history(case)
-    wanted = [Unknown(YIELD, "200 MPa", "2 GPa"), Unknown("lower.material.hardening.back_stresses.modulus", 1e10, 3e11)]
+    wanted = [
+        Unknown(YIELD, "200 MPa", "2 GPa"),
+        Unknown("lower.material.hardening.back_stresses[0].modulus", 1e10, 3e11),
+    ]
     found = brinell.fit(case, wanted, Data(depth[1:], load[1:]))
     assert [one.value for one in found.estimates] == pytest.approx([700e6, 60e9], rel=0.005)
 
 
 def test_an_unknown_that_does_not_matter_is_named(curve: tuple[np.ndarray, np.ndarray]) -> None:
-    wanted = [Unknown(YIELD, "300 MPa", "3 GPa"), Unknown("upper.material.thermal.expansion", 0.0, 1e-4)]
-    case = ball(
-        **{
-            "upper.material.thermal": {
-                "conductivity": 50.0,
-                "density": 7800.0,
-                "specific_heat": 450.0,
-                "expansion": 1e-5,
-            }
-        }
-    )
-    found = brinell.fit(case, wanted, scattered(curve, 1))
+    deep = {"depth": [0.0, 2e-3, 3e-3], "factor": [1.0, 1.0, 1.0]}
+    key = "lower.material.yield_profile.factor.2"
+    wanted = [Unknown(YIELD, "300 MPa", "3 GPa"), Unknown(key, 0.5, 3.0, name="deep factor")]
+    found = brinell.fit(ball(**{"lower.material.yield_profile": deep}), wanted, scattered(curve, 1))
     assert found[YIELD].determined
-    assert not found["expansion"].determined
-    assert (found["expansion"].low, found["expansion"].high) == (0.0, 1e-4)
-    assert any("expansion" in text and "not determined" in text for text in found.findings)
+    assert not found[key].determined
+    assert (found[key].low, found[key].high) == (0.5, pytest.approx(3.0))
+    assert any("deep factor" in text and "not determined" in text for text in found.findings)
 
 
 def test_unknowns_that_make_up_for_each_other_are_named() -> None:

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from brinell.fits.data import Data, FloatArray
-from brinell.plot.style import number, quantity
+from brinell.fits.text import as_text
 
 __all__ = ["branches_of", "checked_against", "checked_sign", "turning_points", "without_holds"]
 
@@ -81,7 +81,7 @@ def checked_sign(data: Data) -> None:
             raise data.error(f"all {what}s are 0")
         if values.max() < 0.5 * size:
             raise data.error(
-                f"{what}s are negative, down to {quantity(float(values.min()), data.units[axis == 'y'])}; allowed: "
+                f"{what}s are negative, down to {as_text(float(values.min()), data.units[axis == 'y'])}; allowed: "
                 f'positive in compression and into the body; reverse = ["{axis}"] turns the sign'
             )
     peak = int(np.argmax(data.y))
@@ -107,16 +107,16 @@ def without_holds(data: Data) -> tuple[Data, list[str]]:
         if data.time is not None and (lasted := float(data.time[last] - data.time[first])) > 0.0:
             whole = abs(added / lasted) * float(np.ptp(data.time))
             rate = (
-                f" in {number(lasted)} s; as a drift that would be {quantity(whole, 'm')} or "
-                f"{number(100 * whole / deep)} % of the depth over the whole test, see machine.drift"
+                f" in {as_text(lasted, '')} s; as a drift that would be {as_text(whole, 'm')} or "
+                f"{as_text(100 * whole / deep, '')} % of the depth over the whole test, see machine.drift"
             )
         kind = "creep or drift" if level > 0.5 * top else "drift"
         done = (
             "subtracted" if data.holds == "subtract" else 'left in the later points (holds = "subtract" takes it off)'
         )
         notes.append(
-            f"data {data.name!r}: the load is held at {quantity(level, 'N')} (points {first + 1} to {last + 1}) while "
-            f"the depth changes by {quantity(added, 'm')}, {kind}{rate}; its points are left out, the depth is {done}"
+            f"data {data.name!r}: the load is held at {as_text(level, 'N')} (points {first + 1} to {last + 1}) while "
+            f"the depth changes by {as_text(added, 'm')}, {kind}{rate}; its points are left out, the depth is {done}"
         )
     return replace(data, x=data.x - shift).at(keep), notes
 
@@ -179,21 +179,21 @@ def checked_against(data: Data, loads: FloatArray, depths: Sequence[float], is_l
         ratio = top / float(loads.max())
         if not _OTHER_LOAD[0] <= ratio <= _OTHER_LOAD[1]:
             raise data.error(
-                f"the loads reach {quantity(top, 'N')}, those of the case {quantity(float(loads.max()), 'N')}; "
+                f"the loads reach {as_text(top, 'N')}, those of the case {as_text(float(loads.max()), 'N')}; "
                 f"allowed: the loads of the test in indentation.load{_unit_hint(ratio)}"
             )
         if not 0.95 <= ratio <= 1.05:
             notes.append(
-                f"data {data.name!r}: the loads reach {quantity(top, 'N')}, those of the case "
-                f"{quantity(float(loads.max()), 'N')}: the unloading of the run does not begin "
+                f"data {data.name!r}: the loads reach {as_text(top, 'N')}, those of the case "
+                f"{as_text(float(loads.max()), 'N')}: the unloading of the run does not begin "
                 "where that of the test does"
             )
     lowest, highest = min(depths), max(depths)
     if not lowest / _OTHER_DEPTH <= deep <= highest * _OTHER_DEPTH:
         ratio = deep / (highest if deep > highest else lowest)
         raise data.error(
-            f"the depths reach {quantity(deep, 'm')}, those of runs within the bounds {quantity(lowest, 'm')} to "
-            f"{quantity(highest, 'm')}; allowed: depths of that size{_unit_hint(ratio)}"
+            f"the depths reach {as_text(deep, 'm')}, those of runs within the bounds {as_text(lowest, 'm')} to "
+            f"{as_text(highest, 'm')}; allowed: depths of that size{_unit_hint(ratio)}"
         )
     return notes
 

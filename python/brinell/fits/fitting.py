@@ -22,8 +22,9 @@ from brinell.fits.file import read_fit
 from brinell.fits.intervals import Judged, cells_error, is_determined, judged, profiled, separable
 from brinell.fits.model import Observed
 from brinell.fits.problem import Problem, experiments_of
-from brinell.fits.result import Curve, Estimate, Fit, quantity_text
+from brinell.fits.result import Curve, Estimate, Fit
 from brinell.fits.solve import LOSSES, Loss, Solution, solved
+from brinell.fits.text import as_text
 from brinell.fits.unknowns import Parameter, Unknown
 
 __all__ = ["fit"]
@@ -251,7 +252,7 @@ def _findings(
     for j in solution.insensitive:
         yield (
             f"{names[j]} ({estimates[j].key}) is not determined: the data hardly depend on it, even if all else were "
-            f"known; it stayed at {quantity_text(estimates[j].value, estimates[j].unit)}, which means nothing"
+            f"known; it stayed at {as_text(estimates[j].value, estimates[j].unit)}, which means nothing"
         )
     for j, one in enumerate(estimates):
         if not one.determined and j not in solution.insensitive:
@@ -287,7 +288,7 @@ def _findings(
         if one.determined and one.cells > max(0.25 * within, 0.02 * abs(one.value)):
             yield (
                 f"the cells are coarse for {names[j]}: finer ones would shift it by about "
-                f"{quantity_text(one.cells, one.unit)}; the interval includes that; use a larger grid.resolution"
+                f"{as_text(one.cells, one.unit)}; the interval includes that; use a larger grid.resolution"
             )
 
 

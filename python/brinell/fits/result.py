@@ -13,11 +13,12 @@ import numpy as np
 from brinell import _core
 from brinell.case import Case
 from brinell.fits.data import Data, FloatArray
+from brinell.fits.text import as_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Curve", "Estimate", "Fit", "quantity_text"]
+__all__ = ["Curve", "Estimate", "Fit"]
 
 
 @dataclass(frozen=True)
@@ -207,14 +208,7 @@ class Fit:
 
 
 def _text(one: Estimate, value: float) -> str:
-    return quantity_text(value, one.unit)
-
-
-def quantity_text(value: float, unit: str) -> str:
-    """A value with its unit, as plain text."""
-    from brinell.report.text import number, quantity
-
-    return f"{number(value)} {unit}" if unit in ("degrees", "degC") else quantity(value, unit)
+    return as_text(value, one.unit)
 
 
 def _range(one: Estimate) -> str:

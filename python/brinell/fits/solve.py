@@ -47,6 +47,17 @@ _NOWHERE = 1e3
 _INSENSITIVE = 0.25
 """Standard deviation with all else known, as a part of the bounds' distance, from which an unknown does not matter."""
 
+_ENOUGH = 0.5
+"""Misfit, in standard deviations, at which the first search ends: its cells are no better."""
+
+
+class _Enough(Exception):  # noqa: N818 (no error)
+    """Raised within a search that is near enough."""
+
+    def __init__(self, u: FloatArray):
+        self.u = u
+
+
 Progress: TypeAlias = Callable[[str], None]
 
 
@@ -85,7 +96,7 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
     problem.cells = [_cells(run) for run in _runs(problem, u)]
     problem.of_cells = _FIRST_ERROR * problem.least / LEAST_NOISE
     problem.set_sigma(u)
-    u, _ = _search(problem, u, range(u.size), loss, progress, "first search", 1e-2)
+    u, _ = _search(problem, u, range(u.size), loss, progress, "first search", 1e-2, _ENOUGH)
     plan = _planned(problem, u, own)
     problem.cells = [_cells(run, _COARSER) for run in plan]
     coarser = problem.curve(u)
@@ -153,7 +164,14 @@ def _checked_sizes(problem: Problem, rows: Sequence[Sequence[Any]]) -> list[str]
 
 
 def _search(
-    problem: Problem, u: FloatArray, free: Sequence[int], loss: Loss, progress: Progress, what: str, least: float = 1e-3
+    problem: Problem,
+    u: FloatArray,
+    free: Sequence[int],
+    loss: Loss,
+    progress: Progress,
+    what: str,
+    least: float = 1e-3,
+    enough: float = 0.0,
 ) -> tuple[FloatArray, bool]:
     """Trust region search (Branch, Coleman, Li 1999) over the free unknowns, to a relative change of the cost."""
     if not free:
@@ -173,7 +191,10 @@ def _search(
         if isinstance(found, BrinellError):
             return np.full(problem.residuals(problem.y, point).size, _NOWHERE)
         result = problem.residuals(found, point)
-        progress(f"{what}: {problem.runs} runs, misfit {np.sqrt(np.mean(result**2)):.3g} standard deviations")
+        misfit = float(np.sqrt(np.mean(result**2)))
+        progress(f"{what}: {problem.runs} runs, misfit {misfit:.3g} standard deviations")
+        if misfit < enough:
+            raise _Enough(point)
         return result
 
     def jacobian(part: FloatArray) -> FloatArray:
@@ -182,7 +203,17 @@ def _search(
         return np.asarray(np.vstack([rows, problem.prior_jacobian(point)])[:, index])
 
     start = np.clip(u[index], 1e-3, 1.0 - 1e-3)
-    found = least_squares(
+    try:
+        found = _least_squares(residuals, start, jacobian, loss, least)
+    except _Enough as done:
+        return done.u, True
+    if not np.isfinite(found.cost) or np.all(found.fun == _NOWHERE):
+        raise ConvergenceError(f"{what}: no run near the start could be computed")
+    return whole(found.x), bool(found.status > 0)
+
+
+def _least_squares(residuals: Any, start: FloatArray, jacobian: Any, loss: Loss, least: float) -> Any:
+    return least_squares(
         residuals,
         start,
         jac=jacobian,
@@ -195,9 +226,6 @@ def _search(
         gtol=1e-10,
         max_nfev=_MOST_STEPS,
     )
-    if not np.isfinite(found.cost) or np.all(found.fun == _NOWHERE):
-        raise ConvergenceError(f"{what}: no run near the start could be computed")
-    return whole(found.x), bool(found.status > 0)
 
 
 def _runs(problem: Problem, u: FloatArray) -> list[Observed]:

@@ -163,6 +163,8 @@ def _unit(unknown: Unknown, key: str) -> str:
     if key in MACHINE:
         return MACHINE[key]
     plain = re.sub(r"\[\d+\]", "", key)
+    if plain.startswith(("grid.", "solver.", "output.")):
+        raise unknown.error("key", "belongs to the computation; allowed: keys of bodies, motion and interface")
     entry = entry_of(plain, 0.0)
     found = {one.key: one for one in _core.schema_keys()}
     schema = found.get(entry[0] if entry else plain)

@@ -12,7 +12,7 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 import brinell
-from brinell.fits.result import quantity_text
+from brinell.fits.text import as_text
 from brinell.plot.standard import Named
 from brinell.report.page import environment, shown
 
@@ -71,7 +71,7 @@ def _content(fit: Fit, figures: Mapping[str, Figure]) -> dict[str, Any]:
 
 def _row(one: Estimate) -> list[str]:
     def text(value: float) -> str:
-        return quantity_text(value, one.unit)
+        return as_text(value, one.unit)
 
     if not one.determined:
         return [one.name, one.key, text(one.value), "not determined by these data", "", "", ""]
