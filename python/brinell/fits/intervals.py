@@ -119,8 +119,8 @@ def judged(
 
 
 def _remaining(difference: FloatArray) -> FloatArray:
-    """Error of the cells if it falls with their size, at least."""
-    return np.asarray(difference / (1.0 - 1.0 / _FINER))
+    """Error of the cells, of second order: docs/verification/simulation.md."""
+    return np.asarray(difference / (1.0 - _FINER**-2.0))
 
 
 def _following(problem: Problem, residuals: FloatArray) -> float:
