@@ -15,6 +15,9 @@ search), `intervals` (covariance, profiles, error of cells and method), `fitting
 (fit.toml), `cli` (the command).
 """
 
+import sys
+
+from brinell._arguments import explain_argument_errors
 from brinell.errors import MissingExtraError
 
 try:
@@ -28,3 +31,5 @@ from brinell.fits.result import Curve, Estimate, Fit
 from brinell.fits.unknowns import Unknown
 
 __all__ = ["Curve", "Data", "Estimate", "Fit", "Unknown", "data_from_file", "fit"]
+
+explain_argument_errors(sys.modules[__name__])

@@ -321,7 +321,7 @@ def _outliers(problem: Problem, solution: Solution) -> Iterator[str]:
         if one.y.size < 8:
             continue
         residuals = (solution.curve[part] - problem.y[part]) / problem.sigma[part]
-        scale = max(1.4826 * float(np.median(np.abs(residuals))), 0.1)
+        scale = max(1.4826 * float(np.median(np.abs(residuals))), 1.0)
         far = np.flatnonzero(np.abs(residuals) > _OUTLIER * scale)
         if 0 < far.size <= 0.1 * one.y.size:
             points = ", ".join(str(i + 1) for i in far[:5]) + (", ..." if far.size > 5 else "")

@@ -249,20 +249,27 @@ class Problem:
         return np.array([x for x in found if x is not None])
 
     def jacobian(self, u: FloatArray, free: Sequence[int]) -> FloatArray:
-        """(points, unknowns) derivatives of the values by u; zero for unknowns that are not free or cannot be moved."""
-        steps = [p.step if x + p.step <= 1.0 else -p.step for p, x in zip(self.parameters, u.tolist(), strict=True)]
-        ahead = self.curves([u, *(_moved(u, j, steps[j]) for j in free)])
-        base = ahead.pop(0)
+        """(points, unknowns) derivatives of the values by u; zero for unknowns that are not free or cannot be moved.
+
+        Differences between both sides, wide enough to average over cells that come into contact one after the other.
+        """
+        ends = [
+            (min(x + p.step, 1.0) - x, max(x - p.step, 0.0) - x)
+            for p, x in zip(self.parameters, u.tolist(), strict=True)
+        ]
+        points = [_moved(u, j, step) for j in free for step in ends[j]]
+        base, *around = self.curves([u, *points])
         if isinstance(base, BrinellError):
             raise base
         result = np.zeros((self.y.size, u.size))
-        for j, found in zip(free, ahead, strict=True):
-            step = steps[j]
-            if isinstance(found, BrinellError) and 0.0 <= u[j] - step <= 1.0:
-                step = -step
-                (found,) = self.curves([_moved(u, j, step)])
-            if not isinstance(found, BrinellError):
-                result[:, j] = (found - base) / step
+        for j, up, down in zip(free, around[::2], around[1::2], strict=True):
+            above, below = (ends[j][0], up), (ends[j][1], down)
+            if isinstance(up, BrinellError):
+                above = (0.0, base)
+            if isinstance(down, BrinellError):
+                below = (0.0, base)
+            if above[0] > below[0]:
+                result[:, j] = (np.asarray(above[1]) - np.asarray(below[1])) / (above[0] - below[0])
         return result
 
     def prior_jacobian(self, u: FloatArray) -> FloatArray:

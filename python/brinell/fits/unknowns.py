@@ -105,8 +105,8 @@ class Parameter:
 
     @property
     def step(self) -> float:
-        """Step of u for a difference: 0.2 % of a value that varies in its logarithm, 0.1 % of the bounds' distance."""
-        return 0.002 / math.log(self.high / self.low) if self.is_logarithmic else 0.001
+        """Step of u for a difference: 1 % of a value that varies in its logarithm, 0.5 % of the bounds' distance."""
+        return 0.01 / math.log(self.high / self.low) if self.is_logarithmic else 0.005
 
     @property
     def first(self) -> float:
