@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Ellipse
 
 from brinell._toml import tomllib
 from brinell.errors import InputError
@@ -156,9 +155,11 @@ def _two(axes: Axes, fit: Fit, i: int, j: int) -> None:
     half = np.array([(x.data_high - x.data_low) / sizes[0], (y.data_high - y.data_low) / sizes[1]]) / 2.0
     wider = np.sqrt(-2.0 * np.log(1.0 - fit.confidence)) / 1.96
     correlation = float(np.clip(fit.correlation[i, j], -1.0, 1.0))
-    # Of the unit ellipse the axes lie along the diagonals; a scaling of x and y makes it that of the unknowns.
-    ellipse = Ellipse((0.0, 0.0), 2.0 * np.sqrt(1.0 + correlation), 2.0 * np.sqrt(1.0 - correlation), angle=45.0)
-    outline = ellipse.get_transform().transform(ellipse.get_path().to_polygons(closed_only=True)[0]) * wider * half
+    turn = np.linspace(0.0, 2.0 * np.pi, 200)
+    outline = np.stack(
+        [np.cos(turn), correlation * np.cos(turn) + np.sqrt(1.0 - correlation**2) * np.sin(turn)], axis=1
+    )
+    outline *= wider * half
     axes.fill(
         x.value / sizes[0] + outline[:, 0], y.value / sizes[1] + outline[:, 1], color="#8fbfe0", ec=style.LOWER, lw=1.0
     )
