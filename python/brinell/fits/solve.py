@@ -40,7 +40,9 @@ _SAME_CELLS = 2e-4
 """Relative change of the cells, planned again at the solution, below which they stay."""
 _SAME_FIT = 0.9
 """Part of the misfit that remains from which cells that are planned again are not worth another search."""
-_MOST_PLANS = 4
+_NO_NOISE = 0.1
+"""Misfit, in standard deviations, below which data have no noise and the search goes on to the digits of the runs."""
+_MOST_PLANS = 5
 _MOST_STEPS = 15
 _NOWHERE = 1e3
 """Residual of all points where a run fails, in standard deviations: the step is refused, and a shorter one tried."""
@@ -110,12 +112,15 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
         plan = _planned(problem, u, own)
         problem.cells = [_cells(run) for run in plan]
         problem.set_sigma(u)
-        u, converged = _search(problem, u, free, loss, progress, "cells of the case")
+        least = 1e-3 if before > _NO_NOISE * np.sqrt(problem.y.size) else 1e-6
+        u, converged = _search(problem, u, free, loss, progress, "cells of the case", least)
         curve = problem.curve(u)
         misfit = float(np.linalg.norm(problem.residuals(curve, u)))
         _learn_noise(problem, curve)
         again = _planned(problem, u, own)
-        if max(_distance(a, b) for a, b in zip(plan, again, strict=True)) < _SAME_CELLS or misfit > _SAME_FIT * before:
+        is_exact = misfit < _NO_NOISE * np.sqrt(problem.y.size)
+        has_settled = max(_distance(a, b) for a, b in zip(plan, again, strict=True)) < _SAME_CELLS
+        if (has_settled and (least < 1e-3 or not is_exact)) or (not is_exact and misfit > _SAME_FIT * before):
             break
         before = misfit
     problem.set_sigma(u)
