@@ -21,6 +21,9 @@ __all__ = ["Observed", "Wanted", "history_of", "observe", "predicted"]
 _POWER = 2.0 / 3.0
 """The depth of a ball is nearly linear in the load to this power, loading and unloading (Hertz)."""
 
+_PARTS = 16
+"""Parts of a step in which the compliance of the frame is added."""
+
 _MOST_EVALUATIONS, _GRACE = 60, 4
 """Evaluations per step beyond which a run is given up, as those of very soft bodies; a usual run needs ten."""
 
@@ -122,15 +125,27 @@ def predicted(data: Data, branch: FloatArray | None, observed: Observed, machine
     assert branch is not None
     approach, load = history_of(data, observed)
     compliance = machine.get("machine.compliance", 0.0)
-    depth = approach + compliance * load + machine.get("machine.first_touch", 0.0)
     x = data.x if data.time is None else data.x - machine.get("machine.drift", 0.0) * (data.time - data.time[0])
     turns = turning_points(load if observed.is_load_driven else approach, 0.0)
+    x = x - machine.get("machine.first_touch", 0.0)
     result = np.empty(x.size)
     for i, (first, last) in enumerate(itertools.pairwise(turns)):
         here = branch == i
         if here.any():
-            result[here] = _load_at(depth[first : last + 1], load[first : last + 1], x[here])
+            depth, force = approach[first : last + 1], load[first : last + 1]
+            if compliance:
+                depth, force = _on_frame(depth, force, compliance)
+            result[here] = _load_at(depth, force, x[here])
     return result
+
+
+def _on_frame(approach: FloatArray, load: FloatArray, compliance: float) -> tuple[FloatArray, FloatArray]:
+    """Depth that an instrument shows, and load, at more places: between its steps the run knows no frame."""
+    places = np.interp(
+        np.linspace(0.0, approach.size - 1.0, _PARTS * (approach.size - 1) + 1), np.arange(approach.size), approach
+    )
+    between = _load_at(approach, load, places)
+    return places + compliance * between, between
 
 
 def _load_at(depth: FloatArray, load: FloatArray, x: FloatArray) -> FloatArray:

@@ -112,17 +112,21 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
         plan = _planned(problem, u, own)
         problem.cells = [_cells(run) for run in plan]
         problem.set_sigma(u)
-        least = 1e-3 if before > _NO_NOISE * np.sqrt(problem.y.size) else 1e-6
-        u, converged = _search(problem, u, free, loss, progress, "cells of the case", least)
+        u, converged = _search(problem, u, free, loss, progress, "cells of the case")
         curve = problem.curve(u)
         misfit = float(np.linalg.norm(problem.residuals(curve, u)))
         _learn_noise(problem, curve)
         again = _planned(problem, u, own)
-        is_exact = misfit < _NO_NOISE * np.sqrt(problem.y.size)
         has_settled = max(_distance(a, b) for a, b in zip(plan, again, strict=True)) < _SAME_CELLS
-        if (has_settled and (least < 1e-3 or not is_exact)) or (not is_exact and misfit > _SAME_FIT * before):
+        if has_settled or misfit > _SAME_FIT * before or misfit < _NO_NOISE * np.sqrt(problem.y.size):
             break
         before = misfit
+    if misfit < _NO_NOISE * np.sqrt(problem.y.size):
+        problem.cells = own
+        problem.set_sigma(u)
+        u, converged = _search(problem, u, free, loss, progress, "cells that follow", 1e-6)
+        problem.cells = [_cells(run) for run in _planned(problem, u, own)]
+        _learn_noise(problem, problem.curve(u))
     problem.set_sigma(u)
     jacobian = problem.jacobian(u, range(u.size))
     insensitive = [j for j in range(u.size) if j not in free]
