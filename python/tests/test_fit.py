@@ -6,7 +6,6 @@ from __future__ import annotations
 import datetime
 import json
 import os
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +24,7 @@ from brinell.fits.model import _load_at
 
 pytestmark = pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning", "ignore::brinell.CaseWarning")
 
-PARTS = 7
-DRAWS = 20
+PARTS = 6
 FINE = {"grid.resolution": 6}
 FRAME = 5e-9
 """Compliance of the frame [m/N] in curves with three unknowns."""
@@ -93,39 +91,28 @@ def scattered(curve: tuple[np.ndarray, np.ndarray], seed: int) -> Data:
     return Data(depth + FRAME * load, load * (1.0 + 0.01 * scatter), name="ball", noise="1 %")
 
 
-def draws() -> Sequence[int]:
-    """Seeds: all of them, or those of today's part."""
-    named = os.environ.get("BRINELL_SWEEP", "")
-    if named == "all":
-        return range(DRAWS)
-    part = int(named) if named else datetime.datetime.now(datetime.timezone.utc).date().toordinal()
-    return range(part % PARTS, DRAWS, PARTS)
+DAY = datetime.datetime.now(datetime.timezone.utc).date().toordinal()
+NAMED = os.environ.get("BRINELL_SWEEP", "")
 
 
+def on_day(part: int) -> pytest.MarkDecorator:
+    """Long tests take turns, one each day; with BRINELL_SWEEP=0 ... 5 a certain one, with =all all."""
+    today = part if NAMED == "all" else int(NAMED or DAY) % PARTS
+    return pytest.mark.skipif(today != part, reason="has another day: BRINELL_SWEEP=all runs all")
+
+
+@on_day(5)
 def test_curves_without_noise_give_the_material_back(fine_curve: tuple[np.ndarray, np.ndarray]) -> None:
     found = brinell.fit(
         ball(**FINE), unknowns(), Data(fine_curve[0] + FRAME * fine_curve[1], fine_curve[1], name="ball")
     )
     assert found.converged
-    # The digits of a run (1e-4 of the yield stress) and the steps between which the data were taken.
-    assert [one.value for one in found.estimates] == pytest.approx(truths(), rel=0.005)
+    assert [one.value for one in found.estimates] == pytest.approx(truths(), rel=0.002)
     for one, truth in zip(found.estimates, truths(), strict=True):
         assert one.low < truth < one.high
 
 
-def test_intervals_hold_the_truth_as_often_as_they_say(fine_curve: tuple[np.ndarray, np.ndarray]) -> None:
-    """1 % of noise, three unknowns, without error of the method: intervals by scatter and cells."""
-    seeds = draws()
-    print(f"draws {list(seeds)} of {DRAWS}: BRINELL_SWEEP=all computes all")
-    held = np.zeros(3)
-    for seed in seeds:
-        found = brinell.fit(ball(**FINE), unknowns(), scattered(fine_curve, seed), method_error=0.0)
-        held += [one.data_low <= truth <= one.data_high for one, truth in zip(found.estimates, truths(), strict=True)]
-        assert all(one.data_high < 6.0 * one.data_low for one in found.estimates), found
-    allowed = 3 if len(seeds) == DRAWS else 1
-    assert np.all(held >= len(seeds) - allowed), held
-
-
+@on_day(1)
 def test_kinematic_hardening_is_found_from_a_cycle() -> None:
     hardening = {"law": "perfect", "yield_stress": 700e6, "back_stresses": [{"modulus": 60e9}]}
     case = ball(**{"indentation.load": [600.0, 60.0, 600.0, 0.0], "indentation.steps": 6})
@@ -177,9 +164,11 @@ def test_compliance_and_first_touch_are_found(curve: tuple[np.ndarray, np.ndarra
     ]
     shifted = Data(depth + 1e-8 * load + 0.3e-6, load, name="ball")
     found = brinell.fit(ball(), wanted, shifted)
-    assert [one.value for one in found.estimates] == pytest.approx([900e6, 1e-8, 0.3e-6], rel=0.01)
+    assert [one.value for one in found.estimates] == pytest.approx([900e6, 1e-8, 0.3e-6], rel=0.002)
+    assert any("first touch" in text and "not determined" in text and "resolution" in text for text in found.findings)
 
 
+@on_day(3)
 def test_other_kinds_of_data() -> None:
     """The imprint and a number of the summary, with a prior on what they do not tell."""
     case = ball()
@@ -189,7 +178,14 @@ def test_other_kinds_of_data() -> None:
     middle = np.argmin(np.abs(body["y"]))
     imprint = Data(body["x"], 1e-7 - body["residual_displacement"][middle], kind="imprint", name="imprint")
     hardness = run.summary()["indents"][0]["hardness_Pa"]
-    number = Data([0.0], [hardness], kind="number", columns=["indents.0.hardness_Pa"], noise="1 %", name="hardness")
+    number = Data(
+        np.zeros(1),
+        np.array([hardness]),
+        kind="number",
+        columns=["indents.0.hardness_Pa"],
+        noise="1 %",
+        name="hardness",
+    )
     wanted = [
         Unknown(YIELD, "300 MPa", "3 GPa"),
         Unknown(YOUNG, "150 GPa", "300 GPa", prior=210e9, prior_deviation="1 %"),
@@ -201,12 +197,13 @@ def test_other_kinds_of_data() -> None:
         brinell.fit(case, wanted[:1], forces)
 
 
+@on_day(4)
 def test_outliers_count_less_with_a_robust_loss(curve: tuple[np.ndarray, np.ndarray]) -> None:
     data = scattered(curve, 3)
-    data.y[[10, 25]] *= 1.4
+    data.y[[22, 25]] *= 1.4  # where errors of the cells are far smaller
     wanted = unknowns()[::2]
     plain, robust = (brinell.fit(ball(), wanted, data, loss=loss, method_error=0.0) for loss in ("linear", "soft_l1"))
-    assert any("outliers (points 11, 26)" in text for text in plain.findings)
+    assert any("outliers (points 23, 26)" in text for text in plain.findings)
     assert abs(robust[YIELD].value - 900e6) < abs(plain[YIELD].value - 900e6)
 
 
@@ -228,6 +225,7 @@ def test_broken_data_are_told(name: str, curve: tuple[np.ndarray, np.ndarray]) -
         brinell.fit(ball(), unknowns()[:1], Data(*damage(*curve)))
 
 
+@on_day(0)
 def test_holds_and_drift_are_told(curve: tuple[np.ndarray, np.ndarray]) -> None:
     depth, load = curve
     top = int(np.argmax(load))
@@ -317,9 +315,10 @@ def test_columns_are_found_by_title_and_unit(folder: Path, curve: tuple[np.ndarr
         data_from_file(folder / "text.csv")
 
 
+@on_day(2)
 def test_figures_show_every_unknown(curve: tuple[np.ndarray, np.ndarray]) -> None:
-    found: Fit = brinell.fit(ball(), unknowns(), scattered(curve, 5), profiles=[YIELD])
+    found: Fit = brinell.fit(ball(), unknowns()[::2], scattered(curve, 5), profiles=[YIELD])
     figures = found.figures()
     assert set(figures) >= {"curve", "corner", "profiles"}
-    assert len(figures["corner"].axes) == 9
+    assert len(figures["corner"].axes) == 4
     assert found[YIELD].by_profile

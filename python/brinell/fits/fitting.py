@@ -256,10 +256,11 @@ def _findings(
         )
     for j, one in enumerate(estimates):
         if not one.determined and j not in solution.insensitive:
-            yield (
-                f"{names[j]} ({one.key}) is not determined: its interval covers most of its bounds; other data, or a "
-                "prior, are needed"
-            )
+            needed = "other data, or a prior, are needed"
+            if _is_of_cells(one):
+                shift = as_text(one.cells, one.unit)
+                needed = f"finer cells would shift it by about {shift}; use a larger grid.resolution"
+            yield f"{names[j]} ({one.key}) is not determined: its interval covers most of its bounds; {needed}"
     spread = np.sqrt(np.diag(found.covariance))
     for i, j, ratio in separable(found.correlation, spread):
         yield _not_separable(problem, solution, estimates, i, j, ratio, float(found.correlation[i, j]))
@@ -284,12 +285,16 @@ def _findings(
     if no_cells:
         yield "no run with finer cells could be computed: the error of the cells is not known"
     for j, one in enumerate(estimates):
-        within = max(one.high - one.low, 1e-300)
-        if one.determined and one.cells > max(0.25 * within, 0.02 * abs(one.value)):
+        if one.determined and _is_of_cells(one) and one.cells > 0.02 * abs(one.value):
             yield (
                 f"the cells are coarse for {names[j]}: finer ones would shift it by about "
                 f"{as_text(one.cells, one.unit)}; the interval includes that; use a larger grid.resolution"
             )
+
+
+def _is_of_cells(one: Estimate) -> bool:
+    """Whether the error of the cells makes up much of an interval."""
+    return one.cells > 0.25 * max(one.high - one.low, 1e-300)
 
 
 def _is_exact(problem: Problem, solution: Solution) -> bool:
@@ -325,7 +330,8 @@ def _outliers(problem: Problem, solution: Solution) -> Iterator[str]:
         far = np.flatnonzero(np.abs(residuals) > _OUTLIER * scale)
         if 0 < far.size <= 0.1 * one.y.size:
             points = ", ".join(str(i + 1) for i in far[:5]) + (", ..." if far.size > 5 else "")
+            several = "s" * (far.size > 1)
             yield (
-                f"data {one.name!r}: {far.size} outliers (points {points}), more than {_OUTLIER:g} times the scatter "
-                'off; loss = "soft_l1" lets them count less'
+                f"data {one.name!r}: {far.size} outlier{several} (point{several} {points}), more than "
+                f'{_OUTLIER:g} times the scatter off; loss = "soft_l1" lets them count less'
             )
