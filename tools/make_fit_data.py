@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import brinell
-from brinell.fits.model import _load_at
+from brinell.fits.model import load_at
 
 FITS = Path(__file__).resolve().parents[1] / "fits"
 STEEL = {"lower.material.hardening.yield_stress": 1.25e9, "lower.material.hardening.coefficient": 1.5e9}
@@ -43,7 +43,7 @@ def main() -> None:
         top = int(np.argmax(load))
         up, down = np.linspace(0.03, 1.0, 50) * depth[top], np.linspace(depth[top], depth[-1], 31)[1:]
         x = np.concatenate([up, down])
-        y = np.concatenate([_load_at(depth[: top + 1], load[: top + 1], up), _load_at(depth[top:], load[top:], down)])
+        y = np.concatenate([load_at(depth[: top + 1], load[: top + 1], up), load_at(depth[top:], load[top:], down)])
         y *= 1.0 + 0.01 * scatter.standard_normal(y.size)
         lines = [f"# computed by tools/make_fit_data.py, with 1 % of noise\ndepth [{units[0]}],load [{units[1]}]"]
         lines += [f"{a * SCALES[units[0]]:.6g},{b * SCALES[units[1]]:.6g}" for a, b in zip(x, y, strict=True)]

@@ -20,7 +20,7 @@ pytest.importorskip("scipy")
 from brinell._toml import tomllib
 from brinell.fits import Data, Fit, Unknown, data_from_file
 from brinell.fits.checks import turning_points
-from brinell.fits.model import _load_at
+from brinell.fits.model import load_at
 
 pytestmark = pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning", "ignore::brinell.CaseWarning")
 
@@ -59,7 +59,7 @@ def measured(case: brinell.Case, points: int = 40) -> tuple[np.ndarray, np.ndarr
     depth, load = history(case)
     top = int(np.argmax(load))
     up, down = np.linspace(0.03, 1.0, points) * depth[top], np.linspace(depth[top], depth[-1], points // 2)[1:]
-    loads = _load_at(depth[: top + 1], load[: top + 1], up), _load_at(depth[top:], load[top:], down)
+    loads = load_at(depth[: top + 1], load[: top + 1], up), load_at(depth[top:], load[top:], down)
     return np.concatenate([up, down]), np.concatenate(loads)
 
 

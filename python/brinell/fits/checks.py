@@ -17,6 +17,14 @@ __all__ = ["branches_of", "checked_against", "checked_sign", "turning_points", "
 _HELD = 0.01
 """Part of the largest load within which a load is held."""
 _FEWEST_HELD = 5
+_FLAT, _SURE = 0.5, 3.0
+"""Slope of a hold, as a part of the slope that is due, below which it has to lie with so many standard deviations."""
+_CLEAR = 8.0
+"""Depth that a hold has to add, in standard deviations of the depths."""
+_MOST_POINTS = 1500
+"""Points among which holds are looked for; of more only some."""
+_NEARBY = 21
+"""Points from which a scatter is found."""
 _CREEP = 0.005
 """Part of the largest depth that a hold has to add before it is told."""
 _OTHER_LOAD = (0.5, 1.15)
@@ -122,43 +130,73 @@ def without_holds(data: Data) -> tuple[Data, list[str]]:
 
 
 def _holds(data: Data) -> list[tuple[int, int]]:
-    """First and last points of the holds: a load that stays while the depth goes on."""
-    load = _median(data.y)
-    top, deep = float(load.max()), float(np.abs(data.x).max())
+    """First and last points of the holds: the depth goes on, and the load surely rises less than it does elsewhere."""
+    every = -(-data.y.size // _MOST_POINTS)
+    load, depth = data.y[::every], data.x[::every]
+    top, deep = float(load.max()), float(np.abs(depth).max())
+    slopes, noise = _FLAT * _usual_slopes(load, depth), _scatter(load)
+    least = max(_CREEP * deep, _CLEAR * float(np.median(_scatter(depth))))
+    sums = [np.concatenate([[0.0], np.cumsum(one)]) for one in (depth, load, depth**2, depth * load, load**2)]
     found, first = [], 0
-    while first < load.size:
-        last = first
-        low = high = load[first]
-        while last + 1 < load.size:
-            low, high = min(low, load[last + 1]), max(high, load[last + 1])
-            if high - low > _HELD * top:
-                break
-            last += 1
-        moved = abs(float(data.x[last] - data.x[first]))
-        due = float(abs(load[last] - load[first])) / top * deep
-        if (
-            last - first + 1 >= _FEWEST_HELD
-            and load[first] > 2.0 * _HELD * top
-            and moved > max(_CREEP * deep, 3.0 * due, 4.0 * _scatter(data.x[first : last + 1]))
-        ):
-            found.append((first, last))
-            first = last + 1
-        else:
-            first += 1
+    while first + _FEWEST_HELD <= load.size:
+        last = _held_until(first, sums, depth, slopes, noise, top, least) if load[first] > 2.0 * _HELD * top else first
+        if last > first:
+            level = float(np.median(load[first : last + 1]))
+            near = np.abs(load[first : last + 1] - level) <= np.maximum(
+                3.0 * noise[first : last + 1], 0.5 * _HELD * top
+            )
+            inside = first + np.flatnonzero(near)
+            if inside.size >= _FEWEST_HELD and abs(depth[inside[-1]] - depth[inside[0]]) > least:
+                found.append((every * int(inside[0]), every * int(inside[-1])))
+        first = last + 1
     return found
 
 
-def _median(values: FloatArray) -> FloatArray:
-    """Medians over five neighbours."""
-    padded = np.concatenate([values[:1].repeat(2), values, values[-1:].repeat(2)])
-    return np.asarray(np.median(np.lib.stride_tricks.sliding_window_view(padded, 5), axis=1))
+def _held_until(
+    first: int,
+    sums: Sequence[FloatArray],
+    depth: FloatArray,
+    slopes: FloatArray,
+    noise: FloatArray,
+    top: float,
+    least: float,
+) -> int:
+    """Last point of the longest line from a point on whose slope is surely flat; the point itself if there is none."""
+    ends = np.arange(first + _FEWEST_HELD - 1, depth.size)
+    ends = ends[np.abs(depth[ends] - depth[first]) > least]
+    if not ends.size:
+        return first
+    count = ends - first + 1.0
+    x, y, xx, xy, yy = (one[ends + 1] - one[first] for one in sums)
+    spread = np.maximum(xx - x * x / count, 1e-300)
+    both = xy - x * y / count
+    is_flat = np.abs(both) / spread + _SURE * noise[first] / np.sqrt(spread) < slopes[first]
+    off = yy - y * y / count - both * both / spread
+    held = is_flat & (off / count < (1.0 + 2.0 * _SURE / np.sqrt(count)) * noise[first] ** 2 + (0.1 * _HELD * top) ** 2)
+    return int(ends[held].max(initial=first))
 
 
-def _scatter(values: FloatArray) -> float:
-    """Standard deviation about a line, from second differences."""
-    if values.size < 3:
-        return 0.0
-    return float(np.sqrt(np.mean(np.diff(values, 2) ** 2) / 6.0))
+def _usual_slopes(load: FloatArray, depth: FloatArray) -> FloatArray:
+    """Least slope of load over depth at each point: load by depth while it rises, the elastic slope after the peak."""
+    result = np.maximum(load, 0.0) / np.maximum(np.abs(depth), 1e-300)
+    peak, top = int(np.argmax(load)), float(load.max())
+    below = [np.flatnonzero(load[peak:] < part * top) for part in (0.8, 0.4)]
+    if all(one.size for one in below):
+        high, low = (float(depth[peak + one[0]]) for one in below)
+        if high > low:
+            stiffness = 0.4 * top / (high - low)
+            elastic = stiffness * np.cbrt(np.maximum(load[peak:], 0.0) / top)
+            result[peak:] = np.maximum(result[peak:], 0.5 * elastic)
+    return result
+
+
+def _scatter(values: FloatArray) -> FloatArray:
+    """Standard deviation about a line at each point, from the second differences nearby."""
+    if values.size < _NEARBY:
+        return np.full(values.size, float(np.sqrt(np.mean(np.diff(values, 2) ** 2) / 6.0)) if values.size > 2 else 0.0)
+    seconds = np.abs(np.diff(values, 2))
+    own = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(seconds, _NEARBY // 2, mode="reflect"), _NEARBY), 1)
+    return np.asarray(np.pad(1.4826 / np.sqrt(6.0) * own, 1, mode="edge"))
 
 
 def checked_against(data: Data, loads: FloatArray, depths: Sequence[float], is_load_driven: bool) -> list[str]:

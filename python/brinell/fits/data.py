@@ -145,7 +145,7 @@ class Data:
         return replace(self, x=self.x[keep], y=self.y[keep], time=None if self.time is None else self.time[keep])
 
 
-_LEAST_SHARE = 0.02
+_LEAST_SHARE = 0.05
 """Part of the largest value below which noise that is a share of the value no longer becomes smaller."""
 
 

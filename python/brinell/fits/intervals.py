@@ -26,6 +26,9 @@ _NODES = 21
 _MISLED = 0.25
 """Relative difference of the distance in standard deviations, by runs and by the covariance, above which the covariance
 misleads."""
+_MOST_CORRECTIONS, _IMPROVED = 6, 0.05
+"""Corrections of a fit with one unknown held, and the gain in squares below which they end: a fit that ends early is
+too far away, and its interval too narrow."""
 _TIGHT = 1e-4
 """Standard deviation of u below which runs have too few digits to check a covariance."""
 _SEPARABLE = 0.95
@@ -178,7 +181,8 @@ def profiled(problem: Problem, solution: Solution, found: Judged, loss: Loss, as
     """Adds profiles: of unknowns that are asked for, and of those of which the covariance misleads.
 
     An end of the interval is where the best fit with the unknown held there is as many standard deviations away as the
-    interval is wide (Bates and Watts 1988); elsewhere the fit follows the covariance, corrected twice with its slopes.
+    interval is wide (Bates and Watts 1988). On the way there the other unknowns follow the covariance, and are
+    corrected by the slopes until that gains nothing.
     """
     z, spread = found.z[0], np.sqrt(np.diag(found.covariance))
     free = [j for j in range(spread.size) if spread[j] > _TIGHT]
@@ -224,15 +228,20 @@ def _distances(
     rows = np.vstack([solution.jacobian / sigma[:, None], problem.prior_jacobian(u)])[:, others]
     back = np.linalg.pinv(rows) if others else np.zeros((0, rows.shape[0]))
     points = [np.clip(u + column * (end - u[index]), 0.0, 1.0) for end in ends]
-    best = np.full(len(points), np.inf)
-    for _ in range(2):
-        for k, curve in enumerate(problem.curves(points)):
+    best, going = np.full(len(points), np.inf), list(range(len(points)))
+    for _ in range(_MOST_CORRECTIONS if others else 1):
+        improved = []
+        for k, curve in zip(going, problem.curves([points[k] for k in going]), strict=True):
             if isinstance(curve, BrinellError):
                 continue
             residuals = problem.residuals(curve, points[k])
-            best[k] = min(best[k], _cost(residuals, loss, found.inflation))
+            cost = _cost(residuals, loss, found.inflation)
+            if cost < best[k] - _IMPROVED:
+                improved.append(k)
+            best[k] = min(best[k], cost)
             points[k] = points[k].copy()
             points[k][others] = np.clip(points[k][others] - back @ residuals, 0.0, 1.0)
+        going = improved
     base = _cost(problem.residuals(solution.curve, u), loss, found.inflation)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)

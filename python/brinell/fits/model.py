@@ -16,7 +16,7 @@ from brinell.errors import ConvergenceError, InputError
 from brinell.fits.checks import turning_points
 from brinell.fits.data import Data, FloatArray
 
-__all__ = ["Observed", "Wanted", "history_of", "observe", "predicted"]
+__all__ = ["Observed", "Wanted", "history_of", "load_at", "observe", "predicted"]
 
 _POWER = 2.0 / 3.0
 """The depth of a ball is nearly linear in the load to this power, loading and unloading (Hertz)."""
@@ -135,7 +135,7 @@ def predicted(data: Data, branch: FloatArray | None, observed: Observed, machine
             depth, force = approach[first : last + 1], load[first : last + 1]
             if compliance:
                 depth, force = _on_frame(depth, force, compliance)
-            result[here] = _load_at(depth, force, x[here])
+            result[here] = load_at(depth, force, x[here])
     return result
 
 
@@ -144,11 +144,11 @@ def _on_frame(approach: FloatArray, load: FloatArray, compliance: float) -> tupl
     places = np.interp(
         np.linspace(0.0, approach.size - 1.0, _PARTS * (approach.size - 1) + 1), np.arange(approach.size), approach
     )
-    between = _load_at(approach, load, places)
+    between = load_at(approach, load, places)
     return places + compliance * between, between
 
 
-def _load_at(depth: FloatArray, load: FloatArray, x: FloatArray) -> FloatArray:
+def load_at(depth: FloatArray, load: FloatArray, x: FloatArray) -> FloatArray:
     """Load at depths, between the steps of one branch: interpolated as load^(2/3), which is nearly linear."""
     rising = depth[-1] >= depth[0]
     h, q = (depth, load**_POWER) if rising else (depth[::-1], load[::-1] ** _POWER)

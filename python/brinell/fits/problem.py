@@ -89,6 +89,7 @@ class Problem:
         parameters: the unknowns; u is the vector of their variables in [0, 1].
         experiments: the runs.
         cells: keys that are set in each run: its cells, the same for all values of the unknowns.
+        steps: (unknowns,) steps of u for differences.
         sigma: (points,) standard deviation of each point.
         runs: number of runs so far.
     """
@@ -99,6 +100,7 @@ class Problem:
         """Sets up the problem; no run is computed."""
         self.data, self.parameters, self.experiments = list(data), list(parameters), list(experiments)
         self.cells: list[dict[str, Any]] = [{} for _ in experiments]
+        self.steps = np.array([one.step for one in parameters])
         self.runs = 0
         self._pool = pool
         self._cache: dict[Any, Future[Observed]] = {}
@@ -251,11 +253,11 @@ class Problem:
     def jacobian(self, u: FloatArray, free: Sequence[int]) -> FloatArray:
         """(points, unknowns) derivatives of the values by u; zero for unknowns that are not free or cannot be moved.
 
-        Differences between both sides, wide enough to average over cells that come into contact one after the other.
+        Differences between both sides, by `steps`.
         """
         ends = [
-            (min(x + p.step, 1.0) - x, max(x - p.step, 0.0) - x)
-            for p, x in zip(self.parameters, u.tolist(), strict=True)
+            (min(x + step, 1.0) - x, max(x - step, 0.0) - x)
+            for step, x in zip(self.steps.tolist(), u.tolist(), strict=True)
         ]
         points = [_moved(u, j, step) for j in free for step in ends[j]]
         base, *around = self.curves([u, *points])

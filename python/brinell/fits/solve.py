@@ -49,6 +49,13 @@ _NOWHERE = 1e3
 _INSENSITIVE = 0.25
 """Standard deviation with all else known, as a part of the bounds' distance, from which an unknown does not matter."""
 
+_LEAST_STEP = 2e-4
+"""Least step of u for a difference."""
+
+_SHORTER = (0.5, 0.2, 0.1)
+"""Factors on the steps for differences in the last searches, which end where they gain nothing."""
+_GAIN = 0.05
+"""Gain in squares below which a search has gained nothing: a distance of 0.2 standard deviations."""
 _ENOUGH = 0.5
 """Misfit, in standard deviations, at which the first search ends: its cells are no better."""
 
@@ -112,6 +119,7 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
         plan = _planned(problem, u, own)
         problem.cells = [_cells(run) for run in plan]
         problem.set_sigma(u)
+        problem.steps = _steps(problem, u, free)
         u, converged = _search(problem, u, free, loss, progress, "cells of the case")
         curve = problem.curve(u)
         misfit = float(np.linalg.norm(problem.residuals(curve, u)))
@@ -128,9 +136,31 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
         problem.cells = [_cells(run) for run in _planned(problem, u, own)]
         _learn_noise(problem, problem.curve(u))
     problem.set_sigma(u)
+    u, converged = _polished(problem, u, free, loss, progress, converged)
     jacobian = problem.jacobian(u, range(u.size))
     insensitive = [j for j in range(u.size) if j not in free]
     return Solution(u, problem.curve(u), jacobian, insensitive, converged, notes)
+
+
+def _polished(
+    problem: Problem, u: FloatArray, free: list[int], loss: Loss, progress: Progress, converged: bool
+) -> tuple[FloatArray, bool]:
+    """Searches again with shorter steps for differences, until that gains nothing.
+
+    Along a curved valley the slopes of wide steps are not those at the estimate, and a search ends beside the minimum.
+    """
+    squares = robust_squares(problem.residuals(problem.curve(u), u), loss)
+    problem.steps = widest = _steps(problem, u, free)
+    for factor in _SHORTER:
+        problem.steps = factor * widest
+        other, ended = _search(problem, u, free, loss, progress, "shorter steps")
+        before, now = squares, robust_squares(problem.residuals(problem.curve(other), other), loss)
+        if now < squares:
+            u, squares, converged = other, now, ended
+        if now > before - _GAIN:
+            break
+    problem.steps = widest
+    return u, converged
 
 
 def _start(problem: Problem, u: FloatArray, progress: Progress) -> tuple[FloatArray, list[str]]:
@@ -290,6 +320,20 @@ def _sensitive(problem: Problem, u: FloatArray) -> list[int]:
     rows = problem.jacobian(u, range(u.size)) / problem.sigma[:, None]
     rows = np.vstack([rows, problem.prior_jacobian(u)])
     return [j for j in range(u.size) if _INSENSITIVE * float(np.linalg.norm(rows[:, j])) > 1.0]
+
+
+def _steps(problem: Problem, u: FloatArray, free: Sequence[int]) -> FloatArray:
+    """Steps for differences: a standard deviation of each unknown.
+
+    Over that distance a curve has to be described by its slope. A smaller step shows cells that come into contact one
+    after the other; with this one, errors of values of about a standard deviation stay that small over the interval.
+    """
+    usual = np.array([one.step for one in problem.parameters])
+    rows = problem.jacobian(u, range(u.size)) / problem.sigma[:, None]
+    rows = np.vstack([rows, problem.prior_jacobian(u)])[:, list(free)]
+    result = usual.copy()
+    result[list(free)] = np.sqrt(np.diag(np.linalg.pinv(rows.T @ rows, rcond=1e-12)))
+    return np.asarray(np.clip(result, _LEAST_STEP, usual))
 
 
 def robust_weights(residuals: FloatArray, loss: Loss) -> FloatArray:
