@@ -46,7 +46,7 @@ private:
   int before_;
 };
 
-/// What a function returns that is called without the interpreter's lock.
+/// Result of a function that is called without the interpreter's lock.
 /// @param threads  number of threads; 0: as OpenMP decides
 template <typename Function>
 auto computed(int threads, const Function& function)

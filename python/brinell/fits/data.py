@@ -48,8 +48,8 @@ class Data:
         case: the case of the test; None: that of the fit.
         set: keys of the case that differ in this test, such as {"indentation.load": ["50 mN", 0]}.
         columns: names of the columns of the history, of kind "history"; (key,) of the summary, of kind "number".
-        noise: standard deviation of y: a quantity, or a share of each value as "1 %"; None: estimated from the
-            residuals.
+        noise: standard deviation of y: a quantity, or a share of each value as "1 %", at least that of 5 % of the
+            largest; None: estimated from the residuals.
         noise_x: standard deviation of x, likewise; None: 0.
         time: time of each point [s], for drift.
         place: number, from 1, of the place of an indentation.

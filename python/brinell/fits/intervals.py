@@ -163,18 +163,10 @@ def _of_method(problem: Problem, u: FloatArray, gain: FloatArray, method: float)
 
 def cells_error(problem: Problem, u: FloatArray) -> FloatArray | None:
     """Values at the data with finer cells and twice the steps; None if they cannot be computed."""
-    kept = problem.cells
-    problem.cells = []
-    for cells, experiment in zip(kept, problem.experiments, strict=True):
-        finer = {"grid.spacing": [size / _FINER for size in cells["grid.spacing"]]}
-        steps = experiment.table.get("indentation", {}).get("steps")
-        problem.cells.append(finer | ({} if steps is None else {"indentation.steps": 2 * steps}))
     try:
-        return problem.curve(u)
+        return problem.curve_with(u, 1.0 / _FINER, 2)
     except (BrinellError, MemoryError):
         return None
-    finally:
-        problem.cells = kept
 
 
 def profiled(problem: Problem, solution: Solution, found: Judged, loss: Loss, asked: Sequence[int]) -> Judged:

@@ -88,7 +88,7 @@ class Problem:
         data: the data, without holds.
         parameters: the unknowns; u is the vector of their variables in [0, 1].
         experiments: the runs.
-        cells: keys that are set in each run: its cells, the same for all values of the unknowns.
+        cells: keys that are set in each run, for other cells than those that the case plans.
         steps: (unknowns,) steps of u for differences.
         sigma: (points,) standard deviation of each point.
         runs: number of runs so far.
@@ -189,6 +189,26 @@ class Problem:
         if isinstance(found, BrinellError):
             raise found
         return found
+
+    def curve_with(self, u: FloatArray, cells: float, steps: int = 1) -> FloatArray:
+        """Values at the points of all data with the planned cells larger by a factor, and so many times the steps.
+
+        Raises:
+            BrinellError: a run failed.
+        """
+        (runs,) = self.observed([u])
+        kept, self.cells = self.cells, []
+        for own, run, experiment in zip(kept, runs, self.experiments, strict=True):
+            keys = dict(own)
+            if isinstance(run, Observed):
+                keys = {"grid.spacing": [cells * size for size in run.spacing]}
+            if steps > 1 and "steps" in (table := experiment.table.get("indentation", {})):
+                keys["indentation.steps"] = steps * table["steps"]
+            self.cells.append(keys)
+        try:
+            return self.curve(u)
+        finally:
+            self.cells = kept
 
     def _curve(self, u: FloatArray, runs: Sequence[Observed | BrinellError]) -> FloatArray | BrinellError:
         result = np.empty(self.y.size)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
@@ -36,13 +37,10 @@ _DEAREST = 4.0
 """Foretold time over the median of all points beyond which a point is not tried: a body that is far too soft."""
 _DEEPEST = 3.0
 """Approach over the largest measured depth beyond which a run is given up."""
-_SAME_CELLS = 2e-4
-"""Relative change of the cells, planned again at the solution, below which they stay."""
-_SAME_FIT = 0.9
-"""Part of the misfit that remains from which cells that are planned again are not worth another search."""
+_MOST_SEARCHES, _SAME_SIGMA = 4, 0.05
+"""Searches with the cells of the case, which end when the weights of the points change by less."""
 _NO_NOISE = 0.1
 """Misfit, in standard deviations, below which data have no noise and the search goes on to the digits of the runs."""
-_MOST_PLANS = 5
 _MOST_STEPS = 15
 _NOWHERE = 1e3
 """Residual of all points where a run fails, in standard deviations: the step is refused, and a shorter one tried."""
@@ -99,43 +97,30 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
         BrinellError: no run could be computed.
     """
     own = [dict(cells) for cells in problem.cells]
-    coarse = [_coarse_plan(one.table) for one in problem.experiments]
-    problem.cells = coarse
+    problem.cells = [_coarse_plan(one.table) for one in problem.experiments]
     u, notes = _start(problem, np.array([one.first for one in problem.parameters]), progress)
-    problem.cells = [_cells(run) for run in _runs(problem, u)]
     problem.of_cells = _FIRST_ERROR * problem.least / LEAST_NOISE
     problem.set_sigma(u)
     u, _ = _search(problem, u, range(u.size), loss, progress, "first search", 1e-2, _ENOUGH)
-    plan = _planned(problem, u, own)
-    problem.cells = [_cells(run, _COARSER) for run in plan]
-    coarser = problem.curve(u)
-    problem.cells = [_cells(run) for run in plan]
+    problem.cells = own
     curve = problem.curve(u)
     _learn_noise(problem, curve)
-    problem.of_cells = _smooth(curve - coarser) / (_COARSER**2 - 1.0)
+    with contextlib.suppress(BrinellError):  # cells that a period does not allow: the first error stays
+        problem.of_cells = _smooth(curve - problem.curve_with(u, _COARSER)) / (_COARSER**2 - 1.0)
+    problem.set_sigma(u)
     free = _sensitive(problem, u)
-    converged, before = False, np.inf
-    for _ in range(_MOST_PLANS):
-        plan = _planned(problem, u, own)
-        problem.cells = [_cells(run) for run in plan]
-        problem.set_sigma(u)
+    for _ in range(_MOST_SEARCHES):
         problem.steps = _steps(problem, u, free)
         u, converged = _search(problem, u, free, loss, progress, "cells of the case")
-        curve = problem.curve(u)
-        misfit = float(np.linalg.norm(problem.residuals(curve, u)))
-        _learn_noise(problem, curve)
-        again = _planned(problem, u, own)
-        has_settled = max(_distance(a, b) for a, b in zip(plan, again, strict=True)) < _SAME_CELLS
-        if has_settled or misfit > _SAME_FIT * before or misfit < _NO_NOISE * np.sqrt(problem.y.size):
-            break
-        before = misfit
-    if misfit < _NO_NOISE * np.sqrt(problem.y.size):
-        problem.cells = own
-        problem.set_sigma(u)
-        u, converged = _search(problem, u, free, loss, progress, "cells that follow", 1e-6)
-        problem.cells = [_cells(run) for run in _planned(problem, u, own)]
+        sigma = problem.sigma
         _learn_noise(problem, problem.curve(u))
-    problem.set_sigma(u)
+        problem.set_sigma(u)
+        if np.abs(problem.sigma / sigma - 1.0).max() < _SAME_SIGMA:
+            break
+    if np.linalg.norm(problem.residuals(problem.curve(u), u)) < _NO_NOISE * np.sqrt(problem.y.size):
+        u, converged = _search(problem, u, free, loss, progress, "to the digits of the runs", 1e-6)
+        _learn_noise(problem, problem.curve(u))
+        problem.set_sigma(u)
     u, converged = _polished(problem, u, free, loss, progress, converged)
     jacobian = problem.jacobian(u, range(u.size))
     insensitive = [j for j in range(u.size) if j not in free]
@@ -267,36 +252,10 @@ def _least_squares(residuals: Any, start: FloatArray, jacobian: Any, loss: Loss,
     )
 
 
-def _runs(problem: Problem, u: FloatArray) -> list[Observed]:
-    (row,) = problem.observed([u])
-    for one in row:
-        if isinstance(one, BrinellError):
-            raise one
-    return [one for one in row if isinstance(one, Observed)]
-
-
-def _planned(problem: Problem, u: FloatArray, own: list[dict[str, Any]]) -> list[Observed]:
-    """Runs with the cells that the case plans at u."""
-    kept, problem.cells = problem.cells, own
-    try:
-        return _runs(problem, u)
-    finally:
-        problem.cells = kept
-
-
 def _coarse_plan(table: Mapping[str, Any]) -> dict[str, Any]:
     """Keys for the coarse cells of the first search; empty if those of the case are as coarse."""
     cells = table["grid"].get("resolution", 0.0)
     return {"grid.resolution": _COARSE_CELLS} if cells >= _LEAST_COARSENING * _COARSE_CELLS else {}
-
-
-def _cells(run: Observed, factor: float = 1.0) -> dict[str, Any]:
-    """The cells of a run, larger by a factor, as keys of a case."""
-    return {"grid.spacing": [factor * size for size in run.spacing]}
-
-
-def _distance(a: Observed, b: Observed) -> float:
-    return float(np.max(np.abs(np.divide(a.spacing, b.spacing) - 1.0)))
 
 
 def _smooth(difference: FloatArray) -> FloatArray:
