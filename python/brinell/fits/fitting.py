@@ -23,7 +23,7 @@ from brinell.fits.intervals import Judged, cells_error, is_determined, judged, p
 from brinell.fits.model import Observed
 from brinell.fits.problem import Problem, experiments_of
 from brinell.fits.result import Curve, Estimate, Fit
-from brinell.fits.solve import LOSSES, Loss, Solution, solved
+from brinell.fits.solve import LOSSES, Loss, Solution, searched, solved
 from brinell.fits.text import as_text
 from brinell.fits.unknowns import Parameter, Unknown
 
@@ -36,6 +36,8 @@ _MISFIT = 1.5
 _FOLLOWING = 3.0
 _OUTLIER = 5.0
 _AT_BOUND = 1e-3
+_MOST_MINIMA = 4
+"""Minima from which the search goes on where a profile finds a better one."""
 
 
 def fit(
@@ -101,11 +103,15 @@ def fit(
         warnings.simplefilter("ignore", CaseWarning)
         problem = Problem(given, parameters, experiments, pool)
         solution = solved(problem, loss, tell)
-        tell("error of the cells")
-        finer = cells_error(problem, solution.u)
-        found = judged(problem, solution, loss, confidence, method_error, finer)
-        tell("intervals")
-        found = profiled(problem, solution, found, loss, asked)
+        for _ in range(_MOST_MINIMA):
+            tell("error of the cells")
+            finer = cells_error(problem, solution.u)
+            found = judged(problem, solution, loss, confidence, method_error, finer)
+            tell("intervals")
+            found, better = profiled(problem, solution, found, loss, asked)
+            if better is None:
+                break
+            solution = searched(problem, better, loss, tell, solution.notes)
         curves = _curves(problem, solution)
         cases = [problem.fitted_case(i, solution.u) for i in range(len(experiments))]
     estimates = _estimates(problem, solution, found)

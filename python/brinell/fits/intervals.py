@@ -29,6 +29,8 @@ misleads."""
 _MOST_CORRECTIONS, _IMPROVED = 6, 0.05
 """Corrections of a fit with one unknown held, and the gain in squares below which they end: a fit that ends early is
 too far away, and its interval too narrow."""
+_BETTER = 0.5
+"""Gain in squares by which a point meets the data better than the end of the search, which was another minimum then."""
 _TIGHT = 1e-4
 """Standard deviation of u below which runs have too few digits to check a covariance."""
 _SEPARABLE = 0.95
@@ -169,32 +171,41 @@ def cells_error(problem: Problem, u: FloatArray) -> FloatArray | None:
         return None
 
 
-def profiled(problem: Problem, solution: Solution, found: Judged, loss: Loss, asked: Sequence[int]) -> Judged:
+def profiled(
+    problem: Problem, solution: Solution, found: Judged, loss: Loss, asked: Sequence[int]
+) -> tuple[Judged, FloatArray | None]:
     """Adds profiles: of unknowns that are asked for, and of those of which the covariance misleads.
 
     An end of the interval is where the best fit with the unknown held there is as many standard deviations away as the
     interval is wide (Bates and Watts 1988). On the way there the other unknowns follow the covariance, and are
     corrected by the slopes until that gains nothing.
+
+    Returns:
+        The intervals; and a point that meets the data better than the solution does, if there is one on the way.
     """
     z, spread = found.z[0], np.sqrt(np.diag(found.covariance))
     free = [j for j in range(spread.size) if spread[j] > _TIGHT]
     low, high, profiles = found.low.copy(), found.high.copy(), {}
     for j in free:
         ends = [min(max(solution.u[j] + side * z * spread[j], 0.0), 1.0) for side in (-1.0, 1.0)]
-        points, roots = _distances(problem, solution, found, loss, j, ends)
+        points, roots, better = _distances(problem, solution, found, loss, j, ends)
+        if better is not None:
+            return found, better
         due = (points - solution.u[j]) / spread[j]
         off = np.abs(roots - due)[np.isfinite(roots)] / z
         if j in asked or off.size < 2 or off.max() > _MISLED:
             inner = [solution.u[j] + 0.5 * (end - solution.u[j]) for end in ends]
             outer = [min(max(solution.u[j] + 1.5 * (end - solution.u[j]), 0.0), 1.0) for end in ends]
-            more, more_roots = _distances(problem, solution, found, loss, j, [*inner, *outer])
+            more, more_roots, better = _distances(problem, solution, found, loss, j, [*inner, *outer])
+            if better is not None:
+                return found, better
             points, roots = np.r_[points, more, solution.u[j]], np.r_[roots, more_roots, 0.0]
             keep = np.argsort(points)[np.isfinite(roots[np.argsort(points)])]
             points, roots = points[keep], np.maximum.accumulate(roots[keep])
             profiles[j] = (points, roots)
             low[j] = _crossing(points, roots, -z, low[j])
             high[j] = _crossing(points, roots, z, high[j])
-    return replace(found, low=low, high=high, profiles=profiles)
+    return replace(found, low=low, high=high, profiles=profiles), None
 
 
 def _crossing(points: FloatArray, roots: FloatArray, z: float, otherwise: float) -> float:
@@ -212,8 +223,11 @@ def _crossing(points: FloatArray, roots: FloatArray, z: float, otherwise: float)
 
 def _distances(
     problem: Problem, solution: Solution, found: Judged, loss: Loss, index: int, ends: Sequence[float]
-) -> tuple[FloatArray, FloatArray]:
-    """Signed distances, in standard deviations, of the best fits with one unknown held at several values."""
+) -> tuple[FloatArray, FloatArray, FloatArray | None]:
+    """Signed distances, in standard deviations, of the best fits with one unknown held at several values.
+
+    Last a point that meets the data better than the solution, if there is one.
+    """
     u, sigma = solution.u, problem.sigma
     column = found.covariance[:, index] / found.covariance[index, index]
     others = [j for j in range(u.size) if j != index and found.covariance[j, j] > 0.0]
@@ -221,6 +235,7 @@ def _distances(
     back = np.linalg.pinv(rows) if others else np.zeros((0, rows.shape[0]))
     points = [np.clip(u + column * (end - u[index]), 0.0, 1.0) for end in ends]
     best, going = np.full(len(points), np.inf), list(range(len(points)))
+    where = list(points)
     for _ in range(_MOST_CORRECTIONS if others else 1):
         improved = []
         for k, curve in zip(going, problem.curves([points[k] for k in going]), strict=True):
@@ -230,7 +245,8 @@ def _distances(
             cost = _cost(residuals, loss, found.inflation)
             if cost < best[k] - _IMPROVED:
                 improved.append(k)
-            best[k] = min(best[k], cost)
+            if cost < best[k]:
+                best[k], where[k] = cost, points[k]
             points[k] = points[k].copy()
             points[k][others] = np.clip(points[k][others] - back @ residuals, 0.0, 1.0)
         going = improved
@@ -238,7 +254,9 @@ def _distances(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)
         roots = np.sqrt(np.maximum(best - base, 0.0)) * np.sign(np.array(ends) - u[index])
-    return np.array(ends), np.where(np.isfinite(best), roots, np.nan)
+    lowest = int(np.argmin(best))
+    better = where[lowest] if best[lowest] < base - _BETTER else None
+    return np.array(ends), np.where(np.isfinite(best), roots, np.nan), better
 
 
 def _cost(residuals: FloatArray, loss: Loss, inflation: float) -> float:

@@ -18,7 +18,7 @@ from brinell.fits.data import FloatArray
 from brinell.fits.model import Observed, history_of
 from brinell.fits.problem import LEAST_NOISE, Problem
 
-__all__ = ["LOSSES", "Loss", "Solution", "robust_squares", "robust_weights", "solved"]
+__all__ = ["LOSSES", "Loss", "Solution", "robust_squares", "robust_weights", "searched", "solved"]
 
 Loss: TypeAlias = Literal["linear", "soft_l1", "huber", "cauchy"]
 LOSSES = ("linear", "soft_l1", "huber", "cauchy")
@@ -103,6 +103,15 @@ def solved(problem: Problem, loss: Loss, progress: Progress) -> Solution:
     problem.set_sigma(u)
     u, _ = _search(problem, u, range(u.size), loss, progress, "first search", 1e-2, _ENOUGH)
     problem.cells = own
+    return searched(problem, u, loss, progress, notes)
+
+
+def searched(problem: Problem, u: FloatArray, loss: Loss, progress: Progress, notes: list[str]) -> Solution:
+    """Searches with the cells of the case, from a point that is near.
+
+    Raises:
+        BrinellError: no run could be computed.
+    """
     curve = problem.curve(u)
     _learn_noise(problem, curve)
     with contextlib.suppress(BrinellError):  # cells that a period does not allow: the first error stays
