@@ -221,13 +221,13 @@ def _curves(problem: Problem, solution: Solution) -> list[Curve]:
 
 
 def _estimates(problem: Problem, solution: Solution, found: Judged) -> list[Estimate]:
-    low, high = found.interval(solution.u)
+    (low, high), (own_low, own_high) = found.interval(solution.u), found.interval_of_scatter(solution.u)
     result = []
     for j, one in enumerate(problem.parameters):
         u = float(solution.u[j])
         fixed = j in solution.insensitive
         ends = (0.0, 1.0) if fixed else (max(float(low[j]), 0.0), min(float(high[j]), 1.0))
-        own = (0.0, 1.0) if fixed else (max(float(found.low[j]), 0.0), min(float(found.high[j]), 1.0))
+        own = (0.0, 1.0) if fixed else (max(float(own_low[j]), 0.0), min(float(own_high[j]), 1.0))
         points, roots = found.profiles.get(j, (np.empty(0), np.empty(0)))
         slope = abs(one.slope(u))
         result.append(

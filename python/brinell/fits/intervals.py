@@ -49,8 +49,9 @@ class Judged:
         of_method: standard deviations by the error of the method.
         of_cells: shift of u that finer cells and steps would make, an estimate.
         z: number of standard deviations of the interval, of the data and of the method.
-        low: lower ends of the interval by the data alone, u.
+        low: lower ends of the interval by scatter of the data and, as if that were scatter, by the error of the cells.
         high: upper ends.
+        of_scatter: part of that interval that is by the scatter of the data alone.
         profiles: values of u, and distances in standard deviations there, of unknowns whose profile was computed.
     """
 
@@ -62,6 +63,7 @@ class Judged:
     z: tuple[float, float]
     low: FloatArray
     high: FloatArray
+    of_scatter: FloatArray
     profiles: dict[int, tuple[FloatArray, FloatArray]]
 
     @property
@@ -70,6 +72,10 @@ class Judged:
         spread = np.sqrt(np.diag(self.covariance))
         both = np.outer(spread, spread)
         return np.asarray(np.divide(self.covariance, both, out=np.eye(spread.size), where=both > 0.0))
+
+    def interval_of_scatter(self, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Ends of the interval by the scatter of the data alone."""
+        return u - self.of_scatter * (u - self.low), u + self.of_scatter * (self.high - u)
 
     def interval(self, u: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Ends of the interval by data, method and cells together."""
@@ -108,6 +114,9 @@ def judged(
     gain = np.zeros((u.size, residuals.size))
     gain[free] = part @ (rows * np.sqrt(weights)[:, None] / sigma[:, None]).T / max(inflation, 1e-12)
     spread = np.sqrt(np.diag(covariance))
+    parts = max(inflation, 1.0) * (sigma**2 - problem.of_cells**2)
+    scattered = np.sum(gain**2 * parts, axis=1)
+    scattered[free] += np.sum((part @ priors.T) ** 2, axis=1)
     z = float(student.ppf(0.5 + 0.5 * confidence, freedom))
     shift = np.zeros(u.size) if finer is None else np.abs(gain @ _remaining(finer - solution.curve))
     return Judged(
@@ -119,6 +128,7 @@ def judged(
         (z, float(norm.ppf(0.5 + 0.5 * confidence))),
         u - z * spread,
         u + z * spread,
+        np.minimum(np.sqrt(np.divide(scattered, spread**2, out=np.ones(u.size), where=spread > 0.0)), 1.0),
         {},
     )
 
