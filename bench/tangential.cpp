@@ -29,7 +29,7 @@ void partial_slip(benchmark::State& state)
   const Elastic body{1.0, 0.3};
   const double modulus = contact_modulus(body, body);
   const halfspace::SurfaceCompliance normal(grid, modulus);
-  const halfspace::TractionCompliance tractions(grid, body, body);
+  const halfspace::SurfaceCompliance tractions(grid, body, body);
   contact::ElasticContact press(normal);
   contact::TangentialContact push(tractions);
   constexpr double radius = 100.0, friction = 0.3, tolerance = 1e-7;

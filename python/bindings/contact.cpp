@@ -29,7 +29,6 @@ namespace
 {
 
 using halfspace::SurfaceCompliance;
-using halfspace::TractionCompliance;
 using Kind = contact::Drive::Kind;
 using Along = std::array<std::vector<double>, 2>; ///< fields along x and y
 using AlongInput = std::array<Input, 2>;
@@ -97,7 +96,7 @@ Along copied(const AlongInput& given, const Shape& on_grid, const char* name_x, 
 }
 
 /// Shears along x and y, slips along x and y, report.
-auto solve_tangential(const TractionCompliance& compliance, const Input& bound, const contact::TangentialDrive& drive,
+auto solve_tangential(const SurfaceCompliance& compliance, const Input& bound, const contact::TangentialDrive& drive,
                       const std::optional<AlongInput>& before, const std::optional<AlongInput>& change,
                       const std::array<int, 2>& carried, double tolerance, int max_iterations)
 {
@@ -131,13 +130,13 @@ auto solve_tangential(const TractionCompliance& compliance, const Input& bound, 
 }
 
 /// Pressure, gap, shears, slips, report.
-auto solve_friction(const SurfaceCompliance& normal, const TractionCompliance& tractions, const Input& distance,
-                    const contact::Drive& drive, const contact::TangentialDrive& tangential, double friction,
-                    double gap_tolerance, double slip_tolerance, int max_iterations,
-                    const std::optional<std::array<Input, 3>>& before, const std::array<int, 2>& carried)
+auto solve_friction(const SurfaceCompliance& compliance, const Input& distance, const contact::Drive& drive,
+                    const contact::TangentialDrive& tangential, double friction, double gap_tolerance,
+                    double slip_tolerance, int max_iterations, const std::optional<std::array<Input, 3>>& before,
+                    const std::array<int, 2>& carried)
 {
-  const Shape on_grid = shape(normal.grid());
-  const std::size_t cells = normal.grid().size();
+  const Shape on_grid = shape(compliance.grid());
+  const std::size_t cells = compliance.grid().size();
   const auto d = values(distance, on_grid, "distance");
   contact::FrictionState state(cells);
   if (before)
@@ -156,7 +155,7 @@ auto solve_friction(const SurfaceCompliance& normal, const TractionCompliance& t
   watched(
       [&](const std::function<bool()>& wants_stop)
       {
-        contact::FrictionalContact solver(normal, tractions);
+        contact::FrictionalContact solver(compliance);
         report = solver.step(d, drive, tangential, friction, tolerances, state, gap, {slip[0], slip[1]}, wants_stop,
                              carried);
       });
@@ -230,8 +229,8 @@ void bind_contact(nb::module_& m)
   m.attr("slip_threshold") = contact::slip_threshold;
   m.def("solve_tangential", &solve_tangential, "compliance"_a, "bound"_a, "drive"_a, "before"_a.none(),
         "change"_a.none(), "carried"_a, "tolerance"_a, "max_iterations"_a);
-  m.def("solve_friction", &solve_friction, "normal"_a, "tractions"_a, "distance"_a, "drive"_a, "tangential"_a,
-        "friction"_a, "gap_tolerance"_a, "slip_tolerance"_a, "max_iterations"_a, "before"_a.none(), "carried"_a);
+  m.def("solve_friction", &solve_friction, "compliance"_a, "distance"_a, "drive"_a, "tangential"_a, "friction"_a,
+        "gap_tolerance"_a, "slip_tolerance"_a, "max_iterations"_a, "before"_a.none(), "carried"_a);
   m.def("contact_stiffness", &stiffness, "compliance"_a, "pressure"_a);
   m.def("contact_area", &area, "grid"_a, "pressure"_a, "gap"_a, "contact_modulus"_a);
   m.def("patches", &patches, "grid"_a, "pressure"_a, "gap"_a, "contact_modulus"_a);

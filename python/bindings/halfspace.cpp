@@ -6,7 +6,6 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "brinell/halfspace/surface_compliance.hpp"
-#include "brinell/halfspace/traction_compliance.hpp"
 
 #include <cmath>
 #include <nanobind/stl/optional.h>
@@ -23,7 +22,6 @@ namespace
 using halfspace::HalfSpace;
 using halfspace::SurfaceCompliance;
 using halfspace::SurfaceLoad;
-using halfspace::TractionCompliance;
 
 Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
 {
@@ -48,7 +46,7 @@ SurfaceLoad surface_load(const SurfaceGrid& grid, const std::optional<Input>& pr
 }
 
 /// Along x, y and z.
-Output displacements(const TractionCompliance& compliance, const std::optional<Input>& pressure,
+Output displacements(const SurfaceCompliance& compliance, const std::optional<Input>& pressure,
                      const std::optional<Input>& shear_x, const std::optional<Input>& shear_y)
 {
   const SurfaceGrid& g = compliance.grid();
@@ -150,19 +148,13 @@ void bind_halfspace(nb::module_& m)
   nb::class_<SurfaceCompliance>(m, "SurfaceCompliance")
       .def(
           "__init__",
-          [](SurfaceCompliance* self, const SurfaceGrid& grid, double contact_modulus, double reference)
-          { without_lock([&] { return new (self) SurfaceCompliance(grid, contact_modulus, reference); }); },
-          "grid"_a, "contact_modulus"_a, "reference"_a = 0.0)
-      .def("displacement", &displacement, "pressure"_a);
-  nb::class_<TractionCompliance>(m, "TractionCompliance")
-      .def(
-          "__init__",
-          [](TractionCompliance* self, const SurfaceGrid& grid, const constitutive::Material& lower,
+          [](SurfaceCompliance* self, const SurfaceGrid& grid, const constitutive::Material& lower,
              const constitutive::Material& upper, double reference) {
-            without_lock([&] { return new (self) TractionCompliance(grid, lower.elastic, upper.elastic, reference); });
+            without_lock([&] { return new (self) SurfaceCompliance(grid, lower.elastic, upper.elastic, reference); });
           },
           "grid"_a, "lower"_a, "upper"_a, "reference"_a = 0.0)
-      .def("displacement", &displacements, "pressure"_a.none(), "shear_x"_a.none(), "shear_y"_a.none());
+      .def("displacement", &displacement, "pressure"_a)
+      .def("displacements", &displacements, "pressure"_a.none(), "shear_x"_a.none(), "shear_y"_a.none());
   nb::class_<HalfSpace>(m, "HalfSpace")
       .def(
           "__init__",

@@ -187,9 +187,7 @@ class SurfaceCompliance:
         self.grid = grid
         self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
         """Contact modulus E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
-        self._engine = _core.SurfaceCompliance(grid._engine, self.contact_modulus, reference or 0.0)
-        self._pair = lower, upper, reference
-        self._tractions: _core.TractionCompliance | None = None  # set up on first use
+        self._engine = _core.SurfaceCompliance(grid._engine, lower._engine, upper._engine, reference or 0.0)
 
     def __repr__(self) -> str:
         return f"<SurfaceCompliance {cells(self.grid.shape)}>"
@@ -226,18 +224,9 @@ class SurfaceCompliance:
         Returns:
             (3, ny, nx) displacement along x, y and z [m].
         """
-        return self._traction_engine.displacement(
+        return self._engine.displacements(
             _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
         )
-
-    @property
-    def _traction_engine(self) -> _core.TractionCompliance:
-        if self._tractions is None:
-            lower, upper, reference = self._pair
-            self._tractions = _core.TractionCompliance(
-                self.grid._engine, lower._engine, upper._engine, reference or 0.0
-            )
-        return self._tractions
 
 
 class HalfSpace:

@@ -10,7 +10,7 @@
 namespace brinell::contact
 {
 
-CoarserTangential::CoarserTangential(const halfspace::TractionCompliance& fine)
+CoarserTangential::CoarserTangential(const halfspace::SurfaceCompliance& fine)
     : cells_(fine.grid()), compliance_(fine.on(cells_.coarse())), contact_(compliance_), bound_(cells_.coarse().size()),
       finer_(cells_.fine().size())
 {

@@ -13,7 +13,7 @@ namespace brinell::contact
 class CoarserTangential
 {
 public:
-  explicit CoarserTangential(const halfspace::TractionCompliance& fine);
+  explicit CoarserTangential(const halfspace::SurfaceCompliance& fine);
 
   /// @param tolerance  of the finer solution [m]; the coarser one is solved less accurately
   /// @param shear      in: a guess on the finer cells; out: a better one [Pa]
@@ -30,7 +30,7 @@ private:
   void interpolate(std::span<const double> bound, const AlongSurface& shear) const;
 
   CoarserCells cells_;
-  halfspace::TractionCompliance compliance_;
+  halfspace::SurfaceCompliance compliance_;
   TangentialContact contact_;
   std::vector<double> bound_, finer_; ///< `finer_`: one value for each finer cell
   Pair before_, change_, shear_, guess_, slip_;

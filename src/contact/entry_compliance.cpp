@@ -23,7 +23,7 @@ std::optional<int> wrapped(int i, int count, bool is_periodic)
 
 } // namespace
 
-EntryCompliance::EntryCompliance(const halfspace::TractionCompliance& pair)
+EntryCompliance::EntryCompliance(const halfspace::SurfaceCompliance& pair)
     : grid_(pair.grid()), along_edge_(pair.along_over_across())
 {
 }

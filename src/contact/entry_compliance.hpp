@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
-#include "brinell/halfspace/traction_compliance.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 
 #include <array>
 #include <span>
@@ -18,7 +18,7 @@ namespace brinell::contact
 class EntryCompliance
 {
 public:
-  explicit EntryCompliance(const halfspace::TractionCompliance& pair);
+  explicit EntryCompliance(const halfspace::SurfaceCompliance& pair);
 
   /// @param carried          as for TangentialStep
   /// @param pressure_before  before the step, of the surface points that now lie in each cell [Pa]

@@ -13,15 +13,12 @@
 namespace brinell::contact
 {
 
-FrictionalContact::FrictionalContact(const halfspace::SurfaceCompliance& normal,
-                                     const halfspace::TractionCompliance& tractions)
-    : tractions_(tractions), scratch_(tractions.make_scratch()), normal_(normal), tangential_(tractions),
-      entry_(std::make_unique<EntryCompliance>(tractions)), pressure_before_(normal.grid().size()),
-      bound_(normal.grid().size()), distance_(bound_.size()), lowered_(bound_.size()), lowered_before_(bound_.size()),
-      pressure_added_(bound_.size()), pulled_x_(bound_.size()), pulled_y_(bound_.size())
+FrictionalContact::FrictionalContact(const halfspace::SurfaceCompliance& pair)
+    : pair_(pair), scratch_(pair.make_scratch()), normal_(pair), tangential_(pair),
+      entry_(std::make_unique<EntryCompliance>(pair)), pressure_before_(pair.grid().size()), bound_(pair.grid().size()),
+      distance_(bound_.size()), lowered_(bound_.size()), lowered_before_(bound_.size()), pressure_added_(bound_.size()),
+      pulled_x_(bound_.size()), pulled_y_(bound_.size())
 {
-  if (!(normal.grid() == tractions.grid()))
-    throw InternalError("FrictionalContact: both operators must have the same grid");
 }
 
 FrictionalContact::~FrictionalContact() = default;
@@ -41,7 +38,7 @@ void FrictionalContact::couple(const FrictionState& state)
 {
   for (std::size_t i = 0; i < bound_.size(); ++i)
     pressure_added_[i] = state.pressure[i] - pressure_before_[i];
-  tractions_.apply({.pressure = pressure_added_}, {.x = pulled_x_, .y = pulled_y_}, scratch_);
+  pair_.apply({.pressure = pressure_added_}, {.x = pulled_x_, .y = pulled_y_}, scratch_);
 }
 
 FrictionReport FrictionalContact::step(std::span<const double> distance, const Drive& normal,
@@ -56,12 +53,12 @@ FrictionReport FrictionalContact::step(std::span<const double> distance, const D
   require_size("FrictionalContact::step: the shear before along y", state.shear_y, bound_.size());
   if (!(friction >= 0.0) || std::isinf(friction))
     throw InputError(fmt::format("friction = {:g}; allowed: finite, not below 0", friction));
-  carry(tractions_.grid(), carried, state.pressure, pressure_before_);
+  carry(pair_.grid(), carried, state.pressure, pressure_before_);
   shear_x_before_ = state.shear_x;
   shear_y_before_ = state.shear_y;
-  const bool couples = tractions_.couples();
+  const bool couples = pair_.couples();
   const auto lower = [&]
-  { tractions_.apply({.shear_x = state.shear_x, .shear_y = state.shear_y}, {.z = lowered_}, scratch_); };
+  { pair_.apply({.shear_x = state.shear_x, .shear_y = state.shear_y}, {.z = lowered_}, scratch_); };
   std::fill(lowered_.begin(), lowered_.end(), 0.0);
   if (couples)
     lower();

@@ -14,7 +14,7 @@
 namespace brinell::contact
 {
 
-TangentialContact::TangentialContact(const halfspace::TractionCompliance& compliance)
+TangentialContact::TangentialContact(const halfspace::SurfaceCompliance& compliance)
     : compliance_(compliance), iteration_(std::make_unique<Iteration>(compliance))
 {
 }

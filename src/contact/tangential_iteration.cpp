@@ -28,7 +28,7 @@ struct Mean
 
 } // namespace
 
-TangentialContact::Iteration::Iteration(const halfspace::TractionCompliance& compliance)
+TangentialContact::Iteration::Iteration(const halfspace::SurfaceCompliance& compliance)
     : compliance_(compliance), scratch_(compliance.make_scratch()), grid_field_(compliance.grid().size()),
       before_(compliance.grid().size()),
       mean_compliance_(std::sqrt(compliance.largest_of_shear() / compliance.stiffness_of_cell()))

@@ -14,7 +14,7 @@ namespace brinell::contact
 class TangentialContact::Iteration
 {
 public:
-  explicit Iteration(const halfspace::TractionCompliance& compliance);
+  explicit Iteration(const halfspace::SurfaceCompliance& compliance);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return compliance_.grid(); }
   /// Reads a step; `shear` is a guess.
@@ -105,8 +105,8 @@ private:
   }
   void multiply();
 
-  const halfspace::TractionCompliance& compliance_;
-  halfspace::TractionCompliance::Scratch scratch_;
+  const halfspace::SurfaceCompliance& compliance_;
+  halfspace::SurfaceCompliance::Scratch scratch_;
   AlongField grid_field_;          ///< input and output of the operators, in all cells of the grid
   AlongField before_;              ///< shears of the step before, in all cells
   bool has_before_ = false;        ///< whether there are any

@@ -18,7 +18,7 @@ struct Violations
   double reported = 0.0; ///< slip of the report against that of its shears and its shift [m]
 };
 
-inline Violations violations(const halfspace::TractionCompliance& compliance, const TangentialStep& step,
+inline Violations violations(const halfspace::SurfaceCompliance& compliance, const TangentialStep& step,
                              const TangentialReport& report, const Fields& shear, const Fields& slip)
 {
   const SurfaceGrid& g = compliance.grid();

@@ -42,17 +42,15 @@ struct Pair
   Elastic body1, body2;
   double friction;
   double relative = 1e-8; ///< tolerances, over displacements
-  halfspace::SurfaceCompliance normal;
-  halfspace::TractionCompliance tractions;
+  halfspace::SurfaceCompliance compliance;
   contact::FrictionalContact contact;
   Field distance, gap, slip_x, slip_y;
   double scale; ///< of the approach [m]
 
   Pair(const SurfaceGrid& g, const Elastic& one, const Elastic& two, double coefficient, Field shape, double length,
        double reference = 0.0)
-      : grid(g), body1(one), body2(two), friction(coefficient), normal(g, contact_modulus(one, two), reference),
-        tractions(g, one, two, reference), contact(normal, tractions), distance(std::move(shape)), gap(g.size()),
-        slip_x(g.size()), slip_y(g.size()), scale(length)
+      : grid(g), body1(one), body2(two), friction(coefficient), compliance(g, one, two, reference), contact(compliance),
+        distance(std::move(shape)), gap(g.size()), slip_x(g.size()), slip_y(g.size()), scale(length)
   {
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/halfspace/surface_compliance.hpp"
 #include "brinell/halfspace/thermal_field.hpp"
-#include "brinell/halfspace/traction_compliance.hpp"
 #include "brinell/simulation/fretting.hpp"
 #include "creeping_cylinder.hpp"
 #include "gauss.hpp"
@@ -239,7 +239,7 @@ TEST(StickSlipHeat, StuckSurfacesHoldBackThermalExpansion)
   halfspace::ThermalField field(wide, steel, c.lower.material.elastic, {duration, duration});
   field.add_step(flux, {duration});
   field.displacement({{}, by_heat_x, by_heat_y});
-  const halfspace::TractionCompliance pair(s.contact, c.lower.material.elastic, c.upper.material.elastic, 0.0);
+  const halfspace::SurfaceCompliance pair(s.contact, c.lower.material.elastic, c.upper.material.elastic, 0.0);
   std::vector<double> by_shear_x(s.contact.size()), by_shear_y(s.contact.size());
   pair.apply({.shear_x = s.shear[0], .shear_y = s.shear[1]}, {.x = by_shear_x, .y = by_shear_y});
   double largest = 0.0, difference = 0.0;

@@ -188,7 +188,7 @@ TEST(Stick, OfASurfaceThatIsStretchedInWavesHasTheClosedForm)
   // back, with (1 - nu)/(G k) along the wave and 1/(G k) across it, of each body.
   const SurfaceGrid g{24, 20, 0.5, 0.7, Boundary::periodic, Boundary::periodic};
   const Elastic one{1.3, 0.28}, two{4.0, 0.1};
-  const halfspace::TractionCompliance tractions(g, one, two);
+  const halfspace::SurfaceCompliance tractions(g, one, two);
   contact::TangentialContact contact(tractions);
   const double m = 2.0 * pi * 2 / (g.nx * g.dx), n = 2.0 * pi * 3 / (g.ny * g.dy), k = std::hypot(m, n);
   const double along = 0.02, across = -0.03, c = m / k, s = n / k;

@@ -92,7 +92,7 @@ TEST(TangentialContactTest, ConvergesForRandomHistories)
   {
     RandomCase random(seed);
     const SurfaceGrid& g = random.grid;
-    const halfspace::TractionCompliance compliance(g, random.body1, random.body2, 10.0 * random.length());
+    const halfspace::SurfaceCompliance compliance(g, random.body1, random.body2, 10.0 * random.length());
     TangentialContact contact(compliance);
     Fields shear(g.size()), before(g.size()), slip(g.size()), change(g.size());
     // Bounds are about 1; a shear of 1 on a square as large as the grid displaces by some of its length.

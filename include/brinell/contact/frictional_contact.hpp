@@ -53,8 +53,8 @@ struct FrictionTolerances
 class FrictionalContact
 {
 public:
-  /// @param normal, tractions  of the same pair on the same grid; they must outlive this object.
-  FrictionalContact(const halfspace::SurfaceCompliance& normal, const halfspace::TractionCompliance& tractions);
+  /// @param pair  must outlive this object.
+  explicit FrictionalContact(const halfspace::SurfaceCompliance& pair);
   ~FrictionalContact();
   FrictionalContact(const FrictionalContact&) = delete;
   FrictionalContact& operator=(const FrictionalContact&) = delete;
@@ -78,8 +78,8 @@ private:
   void couple(const FrictionState& state);
   [[nodiscard]] double gap_change();
 
-  const halfspace::TractionCompliance& tractions_;
-  halfspace::TractionCompliance::Scratch scratch_;
+  const halfspace::SurfaceCompliance& pair_;
+  halfspace::SurfaceCompliance::Scratch scratch_;
   ElasticContact normal_;
   TangentialContact tangential_;
   std::unique_ptr<EntryCompliance> entry_; ///< of points that roll into the contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/halfspace/traction_compliance.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 
 #include <array>
 #include <functional>
@@ -86,7 +86,7 @@ class TangentialContact
 {
 public:
   /// @param compliance  must outlive this object.
-  explicit TangentialContact(const halfspace::TractionCompliance& compliance);
+  explicit TangentialContact(const halfspace::SurfaceCompliance& compliance);
   ~TangentialContact();
   TangentialContact(const TangentialContact&) = delete;
   TangentialContact& operator=(const TangentialContact&) = delete;
@@ -107,7 +107,7 @@ private:
   void improve_guess(const TangentialStep& step, double tolerance, TangentialReport& report, const AlongSurface& shear,
                      const std::function<bool()>& wants_stop);
 
-  const halfspace::TractionCompliance& compliance_;
+  const halfspace::SurfaceCompliance& compliance_;
   std::unique_ptr<Iteration> iteration_;       ///< kept, because fields are reused from step to step
   std::unique_ptr<CoarserTangential> coarser_; ///< created when it is first needed
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/elastoplastic/interface.hpp"
-#include "brinell/halfspace/traction_compliance.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 
 #include <array>
 #include <memory>
@@ -136,8 +136,8 @@ private:
   [[nodiscard]] double update_depth();
   [[nodiscard]] bool is_forced(std::size_t axis) const;
 
-  halfspace::TractionCompliance pair_; ///< of both bodies
-  halfspace::TractionCompliance::Scratch scratch_;
+  halfspace::SurfaceCompliance pair_; ///< of both bodies
+  halfspace::SurfaceCompliance::Scratch scratch_;
   contact::TangentialContact tangential_;
   std::unique_ptr<contact::EntryCompliance> entry_; ///< of points that roll into the contact
   int entries_ = 0;                                 ///< how often it has been found in the increment

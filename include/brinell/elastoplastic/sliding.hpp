@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brinell/elastoplastic/interface.hpp"
-#include "brinell/halfspace/traction_compliance.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 
 #include <optional>
 #include <span>
@@ -100,10 +100,10 @@ private:
   Change set_shear(std::span<const double> pressure);
   void find_displacements(const Bodies& bodies);
 
-  halfspace::TractionCompliance pair_; ///< of both bodies
-  halfspace::TractionCompliance unit_; ///< of a body with unit coupling weight
+  halfspace::SurfaceCompliance pair_; ///< of both bodies
+  halfspace::SurfaceCompliance unit_; ///< of a body with unit coupling weight
   /// Of the lower body, if it is not a share of `pair_`.
-  std::optional<halfspace::TractionCompliance> lower_alone_;
+  std::optional<halfspace::SurfaceCompliance> lower_alone_;
   double lower_share_ = 0.0; ///< of the lower body in the displacement of the pair along x under shear
   int direction_;
   /// (1 - 2 nu)/(2 mu) [1/Pa]: couples pressure to displacement along x, and shear to displacement along z.

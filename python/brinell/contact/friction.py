@@ -138,7 +138,6 @@ class FrictionalContact:
             last = before.contact.pressure, before.tangential.shear_x, before.tangential.shear_y
         pressure, gap, *fields, report = _core.solve_friction(
             self.compliance._engine,
-            self.compliance._traction_engine,
             distance,
             drive,
             tangential,

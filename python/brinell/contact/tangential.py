@@ -142,7 +142,7 @@ class TangentialContact:
         if tolerance is None:
             tolerance = load_tolerance(self.compliance, float(limit.sum()) * self.grid.cell_area)
         *fields, report = _core.solve_tangential(
-            self.compliance._traction_engine,
+            self.compliance._engine,
             limit,
             drive,
             None if before is None else (before.shear_x, before.shear_y),

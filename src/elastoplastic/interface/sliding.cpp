@@ -48,7 +48,7 @@ std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> she
 
 /// Displacement along z or x by a load of pressure and shear along x; on a mirrored grid one side of the fields, which are even,
 /// and then the other.
-void displace(const halfspace::TractionCompliance& compliance, const halfspace::SurfaceLoad& load,
+void displace(const halfspace::SurfaceCompliance& compliance, const halfspace::SurfaceLoad& load,
               const halfspace::SurfaceDisplacement& out)
 {
   compliance.apply(load, out);

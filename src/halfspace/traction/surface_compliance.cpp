@@ -2,15 +2,21 @@
 #include "brinell/halfspace/surface_compliance.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "foundation/lazy.hpp"
 #include "foundation/require_size.hpp"
 #include "halfspace/transform/cell_response.hpp"
 #include "halfspace/transform/kernel_places.hpp"
 #include "halfspace/transform/require_surface.hpp"
 #include "halfspace/transform/wave_product.hpp"
+#include "shear_stiffness.hpp"
+#include "tractions.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace brinell::halfspace
@@ -66,11 +72,6 @@ Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modul
 
 } // namespace
 
-struct SurfaceCompliance::Buffers
-{
-  WaveProduct<1>::Scratch compliance, stiffness;
-};
-
 namespace
 {
 
@@ -101,74 +102,175 @@ struct EvenProduct
   }
 };
 
-} // namespace
-
-struct SurfaceCompliance::Operator
+/// Displacement by a pressure, and approximately the pressure that causes a displacement.
+struct Normal
 {
-  SurfaceGrid larger;     ///< on which the stiffness is periodic
-  double contact_modulus; ///< E' [Pa]
-  double reference;       ///< [m]
   EvenProduct compliance, stiffness;
   double largest; ///< [m/Pa]
 
-  Operator(const SurfaceGrid& grid, double modulus, double reference_distance)
-      : Operator(grid, with_fast_lengths(grid), modulus, reference_distance,
-                 spectra(grid, with_fast_lengths(grid), modulus, reference_distance))
+  Normal(const SurfaceGrid& grid, double modulus, double reference)
+      : Normal(grid, with_fast_lengths(grid), spectra(grid, with_fast_lengths(grid), modulus, reference))
   {
   }
 
 private:
-  Operator(const SurfaceGrid& grid, const SurfaceGrid& larger_grid, double modulus, double reference_distance,
-           const Spectra& of)
-      : larger(larger_grid), contact_modulus(modulus), reference(reference_distance),
-        compliance(grid, padded_lengths(grid), of.compliance), stiffness(grid, {larger.nx, larger.ny}, of.stiffness),
+  Normal(const SurfaceGrid& grid, const SurfaceGrid& larger, const Spectra& of)
+      : compliance(grid, padded_lengths(grid), of.compliance), stiffness(grid, {larger.nx, larger.ny}, of.stiffness),
         largest(*std::max_element(of.compliance.begin(), of.compliance.end()))
   {
   }
 };
 
-SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference)
+} // namespace
+
+struct SurfaceCompliance::Buffers
 {
-  if (grid.is_periodic_x() != grid.is_periodic_y() && !(reference > 0.0))
+  SurfaceGrid grid;
+  std::optional<WaveProduct<1>::Scratch> compliance{}, stiffness{};
+  std::optional<Tractions::Product::Scratch> tractions{};
+  std::optional<ShearStiffness::Scratch> shear_stiffness{};
+};
+
+/// The parts are set up when they are first needed.
+struct SurfaceCompliance::Operator
+{
+  SurfaceGrid grid;
+  double modulus; ///< E' [Pa]
+  std::optional<green::PairConstants> pair;
+  double reference; ///< [m]
+  Lazy<Normal> normal_part{};
+  Lazy<Tractions> traction_part{};
+  Lazy<ShearStiffness> shear_part{};
+
+  [[nodiscard]] const Normal& normal() const
+  {
+    return normal_part.get([this] { return Normal(grid, modulus, reference); });
+  }
+  [[nodiscard]] const green::PairConstants& constants() const
+  {
+    if (!pair)
+      throw InternalError("SurfaceCompliance: shears and displacements along the surface need the constants of both "
+                          "bodies, not only their contact modulus");
+    return *pair;
+  }
+  [[nodiscard]] const Tractions& tractions() const
+  {
+    return traction_part.get([this] { return Tractions(grid, constants(), reference); });
+  }
+  [[nodiscard]] const ShearStiffness& shear_stiffness() const
+  {
+    return shear_part.get([this] { return ShearStiffness(grid, constants(), reference); });
+  }
+};
+
+SurfaceCompliance::SurfaceCompliance(Hidden<Operator> made) : operator_(std::move(made))
+{
+  const SurfaceGrid& grid = operator_->grid;
+  if (grid.is_periodic_x() != grid.is_periodic_y() && !(operator_->reference > 0.0))
     throw InternalError("SurfaceCompliance: with one periodic axis the displacement needs a reference distance, > 0");
   if (grid.is_periodic() && grid.size() == 1)
     throw InputError("a surface grid of 1 x 1 cells that is periodic along both axes can only carry a uniform "
                      "pressure, which causes no displacement; allowed: more than one cell along x or y");
-  operator_ = make_hidden<Operator>(grid, contact_modulus, reference);
+}
+
+SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference)
+    : SurfaceCompliance(make_hidden<Operator>(grid, contact_modulus, std::nullopt, reference))
+{
+}
+
+SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2,
+                                     double reference)
+    : SurfaceCompliance(
+          make_hidden<Operator>(grid, contact_modulus(body1, body2), green::pair_constants(body1, body2), reference))
+{
 }
 
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
-  return operator_->compliance.waves.fft().grid();
+  return operator_->grid;
 }
 
 SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
 {
-  return {grid, operator_->contact_modulus, operator_->reference};
+  return SurfaceCompliance(make_hidden<Operator>(grid, operator_->modulus, operator_->pair, operator_->reference));
+}
+
+bool SurfaceCompliance::couples() const
+{
+  return operator_->constants().coupling != 0.0;
+}
+
+double SurfaceCompliance::along_over_across() const
+{
+  return 1.0 + operator_->constants().along / operator_->constants().normal;
 }
 
 double SurfaceCompliance::largest() const
 {
-  return operator_->largest;
+  return operator_->normal().largest;
+}
+
+double SurfaceCompliance::largest_of_shear() const
+{
+  return operator_->tractions().largest_of_shear();
+}
+
+double SurfaceCompliance::stiffness_of_cell() const
+{
+  return operator_->shear_stiffness().of_one_cell();
 }
 
 SurfaceCompliance::Scratch SurfaceCompliance::make_scratch() const
 {
-  return make_hidden<Buffers>(operator_->compliance.waves.make_scratch(), operator_->stiffness.waves.make_scratch());
+  return make_hidden<Buffers>(grid());
+}
+
+namespace
+{
+
+/// The buffers of a part, made when they are first needed.
+template <typename Buffer, typename Part>
+Buffer& buffers_of(std::optional<Buffer>& buffer, const Part& part)
+{
+  if (!buffer)
+    buffer.emplace(part.make_scratch());
+  return *buffer;
+}
+
+} // namespace
+
+/// @throws InternalError if a scratch is that of another grid
+void SurfaceCompliance::require_own(const char* function_name, const Scratch& scratch) const
+{
+  if (scratch.empty() || !(scratch->grid == grid()))
+    throw InternalError(fmt::format("{}: the scratch is of another operator; make_scratch makes one", function_name));
 }
 
 void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement, Scratch& scratch) const
 {
   require_load("SurfaceCompliance::apply", load, grid().size());
   require_displacement("SurfaceCompliance::apply", displacement, grid().size());
-  if (!load.shear_x.empty() || !load.shear_y.empty() || !displacement.x.empty() || !displacement.y.empty())
-    throw InternalError(
-        "SurfaceCompliance::apply: shears and displacements along the surface are those of TractionCompliance");
-  if (!operator_->compliance.waves.fits(scratch->compliance))
-    throw InternalError("SurfaceCompliance::apply: the scratch is of another operator; make_scratch makes one");
-  if (load.pressure.empty())
-    return std::fill(displacement.z.begin(), displacement.z.end(), 0.0);
-  operator_->compliance.apply(load.pressure, displacement.z, scratch->compliance);
+  require_own("SurfaceCompliance::apply", scratch);
+  const bool is_normal =
+      load.shear_x.empty() && load.shear_y.empty() && displacement.x.empty() && displacement.y.empty();
+  if (!is_normal)
+  {
+    const Tractions& tractions = operator_->tractions();
+    tractions.apply(load, displacement, buffers_of(scratch->tractions, tractions));
+  }
+  else if (load.pressure.empty())
+    std::fill(displacement.z.begin(), displacement.z.end(), 0.0);
+  else
+  {
+    const EvenProduct& compliance = operator_->normal().compliance;
+    compliance.apply(load.pressure, displacement.z, buffers_of(scratch->compliance, compliance.waves));
+  }
+}
+
+void SurfaceCompliance::apply(const SurfaceLoad& load, const SurfaceDisplacement& displacement) const
+{
+  Scratch scratch = make_scratch();
+  apply(load, displacement, scratch);
 }
 
 void SurfaceCompliance::apply_inverse(std::span<const double> displacement, std::span<double> pressure,
@@ -176,9 +278,22 @@ void SurfaceCompliance::apply_inverse(std::span<const double> displacement, std:
 {
   require_size("SurfaceCompliance::apply_inverse: the displacement", displacement, grid().size());
   require_size("SurfaceCompliance::apply_inverse: the pressure", pressure, grid().size());
-  if (!operator_->stiffness.waves.fits(scratch->stiffness))
-    throw InternalError("SurfaceCompliance::apply_inverse: the scratch is of another operator; make_scratch makes one");
-  operator_->stiffness.apply(displacement, pressure, scratch->stiffness);
+  require_own("SurfaceCompliance::apply_inverse", scratch);
+  const EvenProduct& stiffness = operator_->normal().stiffness;
+  stiffness.apply(displacement, pressure, buffers_of(scratch->stiffness, stiffness.waves));
+}
+
+void SurfaceCompliance::apply_inverse(const Pair<std::span<const double>>& displacement,
+                                      const Pair<std::span<double>>& shear, Scratch& scratch, double added) const
+{
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    require_size("SurfaceCompliance::apply_inverse: the displacement", displacement[axis], grid().size());
+    require_size("SurfaceCompliance::apply_inverse: the shear", shear[axis], grid().size());
+  }
+  require_own("SurfaceCompliance::apply_inverse", scratch);
+  const ShearStiffness& stiffness = operator_->shear_stiffness();
+  stiffness.apply(displacement, shear, buffers_of(scratch->shear_stiffness, stiffness), added);
 }
 
 } // namespace brinell::halfspace

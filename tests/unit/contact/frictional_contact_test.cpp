@@ -23,9 +23,8 @@ TEST(FrictionalContactTest, OfDissimilarBodiesMeetsBothProblemsAtOnce)
   // Pressed, then pushed: gap and slip are recomputed from pressure and shears of all steps.
   const SurfaceGrid g{31, 27, 0.08, 0.09};
   const Elastic soft{1.0, 0.1}, hard{20.0, 0.3};
-  const halfspace::SurfaceCompliance normal(g, contact_modulus(soft, hard));
-  const halfspace::TractionCompliance tractions(g, soft, hard);
-  FrictionalContact contact(normal, tractions);
+  const halfspace::SurfaceCompliance tractions(g, soft, hard);
+  FrictionalContact contact(tractions);
   Field distance(g.size()), gap(g.size());
   for (int j = 0; j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
@@ -79,9 +78,8 @@ TEST(FrictionalContactTest, ABallIsPressedOnAnUnlikeFlatInAFewIterations)
     {
       const SurfaceGrid g{cells, cells, 1.0 / 12.0, 1.0 / 12.0};
       const Elastic stiff{1.0, 0.3}, soft{c.young_modulus, c.poisson_ratio};
-      const halfspace::SurfaceCompliance normal(g, contact_modulus(stiff, soft));
-      const halfspace::TractionCompliance tractions(g, stiff, soft);
-      FrictionalContact contact(normal, tractions);
+      const halfspace::SurfaceCompliance tractions(g, stiff, soft);
+      FrictionalContact contact(tractions);
       Field distance(g.size()), gap(g.size());
       for (int j = 0; j < g.ny; ++j)
         for (int i = 0; i < g.nx; ++i)

@@ -26,7 +26,7 @@ using Kind = TangentialDrive::Kind;
 struct Push
 {
   SurfaceGrid grid;
-  halfspace::TractionCompliance compliance;
+  halfspace::SurfaceCompliance compliance;
   TangentialContact contact;
   Field bound;
   Fields shear, slip;
@@ -96,7 +96,7 @@ TEST(TangentialContactTest, ShearsThatAreCarriedAreThoseOfShearsThatWereThere)
 {
   // On a periodic surface nothing is lost: with the bound carried along, too, a step without a shift changes nothing else.
   const SurfaceGrid g{12, 10, 1.0, 1.0, Boundary::periodic, Boundary::periodic};
-  const halfspace::TractionCompliance compliance(g, {1.0, 0.3}, {2.0, 0.3});
+  const halfspace::SurfaceCompliance compliance(g, {1.0, 0.3}, {2.0, 0.3});
   TangentialContact contact(compliance);
   Field bound = test::random_field(g.size(), 1, 0.1, 1.0), carried_bound(g.size());
   Fields shear(g.size()), slip(g.size()), carried(g.size());
@@ -114,7 +114,7 @@ TEST(TangentialContactTest, ShearsThatAreCarriedAreThoseOfShearsThatWereThere)
       EXPECT_NEAR(carried.x[g.index((i + 9) % g.nx, (j + 2) % g.ny)], shear.x[g.index(i, j)], 1e-8);
   // Over an open end shears are lost.
   const SurfaceGrid open{6, 1, 1.0, 1.0, Boundary::open, Boundary::open};
-  const halfspace::TractionCompliance plain(open, {1.0, 0.3}, {2.0, 0.3});
+  const halfspace::SurfaceCompliance plain(open, {1.0, 0.3}, {2.0, 0.3});
   const Field ones(open.size(), 1.0);
   Fields before(open.size()), after(open.size()), none(open.size());
   before.x = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
@@ -131,7 +131,7 @@ TEST(TangentialContactTest, OnManyCellsTheGuessIsOfLargerOnes)
   for (const SurfaceGrid& grid :
        {SurfaceGrid{65, 51, 0.03, 0.04}, {64, 48, 0.03, 0.04, Boundary::periodic, Boundary::open}})
   {
-    const halfspace::TractionCompliance compliance(grid, {1.0, 0.3}, {2.0, 0.2}, 10.0);
+    const halfspace::SurfaceCompliance compliance(grid, {1.0, 0.3}, {2.0, 0.2}, 10.0);
     TangentialContact contact(compliance);
     const Field rough = test::random_field(grid.size(), 5, 0.7, 1.0),
                 changes = test::random_field(grid.size(), 6, -0.01, 0.01);

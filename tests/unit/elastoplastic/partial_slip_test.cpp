@@ -72,9 +72,8 @@ TEST(PartialSlipTest, ElasticBodiesAreThoseOfTheFrictionalContact)
     const Elastic lower = press.contact().lower().material().elastic,
                   upper = press.contact().upper().material().elastic;
     const SurfaceGrid& grid = press.contact().grid();
-    const halfspace::SurfaceCompliance normal(grid, contact_modulus(lower, upper));
-    const halfspace::TractionCompliance tractions(grid, lower, upper);
-    contact::FrictionalContact reference(normal, tractions);
+    const halfspace::SurfaceCompliance compliance(grid, lower, upper);
+    contact::FrictionalContact reference(compliance);
     contact::FrictionState state(grid.size());
     std::vector<double> gap(grid.size()), slip_x(grid.size()), slip_y(grid.size());
     const contact::FrictionTolerances tolerances{1e-15, 1e-15};

@@ -52,8 +52,8 @@ TEST(SlidingTest, GapOfDissimilarBodiesHasTheShearInIt)
     ASSERT_TRUE(press.press(6.0).converged);
     const std::vector<double> pressure = copy(press.contact().pressure()), shear = shear_of(press);
     std::vector<double> gap = press.rigid_gap(6.0), u(gap.size());
-    const halfspace::TractionCompliance compliance(press.contact().grid(), press.contact().lower().material().elastic,
-                                                   press.contact().upper().material().elastic);
+    const halfspace::SurfaceCompliance compliance(press.contact().grid(), press.contact().lower().material().elastic,
+                                                  press.contact().upper().material().elastic);
     compliance.apply({.pressure = pressure, .shear_x = shear}, {.z = u});
     const double tolerance = 3.0 * options.settings.contact_tolerance * 6.0 * SpherePress::alpha_c;
     for (std::size_t i = 0; i < gap.size(); ++i)
@@ -250,8 +250,8 @@ TEST(SlidingTest, WorkOfTheShearIsStoredOrDissipated)
   // after that nothing more is taken up.
   SpherePress press(elastic_pair(0.4, 3.0));
   ASSERT_TRUE(press.press(5.0, Strategy{}, 0, {}, false).converged);
-  const halfspace::TractionCompliance compliance(press.contact().grid(), press.contact().lower().material().elastic,
-                                                 press.contact().upper().material().elastic);
+  const halfspace::SurfaceCompliance compliance(press.contact().grid(), press.contact().lower().material().elastic,
+                                                press.contact().upper().material().elastic);
   const auto depth = [&]
   {
     std::vector<double> u(press.contact().grid().size());

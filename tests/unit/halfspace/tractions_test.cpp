@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "brinell/halfspace/traction_compliance.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/surface_terms.hpp"
-#include "brinell/halfspace/surface_compliance.hpp"
 #include "grid_fields.hpp"
 #include "mirrored_grid.hpp"
 #include "order.hpp"
@@ -19,7 +18,7 @@
 #include <numbers>
 #include <vector>
 
-namespace brinell::halfspace::traction_compliance_test
+namespace brinell::halfspace::tractions_test
 {
 namespace
 {
@@ -41,7 +40,7 @@ struct Fields
   Field z, x, y;
 };
 
-Fields displacement(const TractionCompliance& compliance, const Fields& load)
+Fields displacement(const SurfaceCompliance& compliance, const Fields& load)
 {
   const std::size_t cells = compliance.grid().size();
   Fields u{Field(cells), Field(cells), Field(cells)};
@@ -59,23 +58,23 @@ double dot(const Fields& a, const Fields& b)
   return test::dot(a.z, b.z) + test::dot(a.x, b.x) + test::dot(a.y, b.y);
 }
 
-class TractionComplianceTest : public testing::TestWithParam<SurfaceGrid>
+class TractionsTest : public testing::TestWithParam<SurfaceGrid>
 {
 };
 
 INSTANTIATE_TEST_SUITE_P(
-    Grids, TractionComplianceTest,
+    Grids, TractionsTest,
     testing::Values(SurfaceGrid{9, 4, 0.5, 1.5}, SurfaceGrid{1, 5, 1.0, 1.0},
                     SurfaceGrid{8, 6, 0.7, 0.9, periodic, periodic}, SurfaceGrid{7, 5, 0.7, 0.9, periodic, periodic},
                     SurfaceGrid{6, 1, 1.0, 1.0, periodic, periodic}, SurfaceGrid{8, 6, 0.7, 0.9, open, periodic},
                     SurfaceGrid{7, 5, 0.7, 0.9, periodic, open}, SurfaceGrid{9, 1, 0.7, 0.9, open, periodic}));
 
 /// From one side of the plane y = 0, by both operators and their approximate inverses.
-TEST_P(TractionComplianceTest, OneSideOfMirrorImagesTellsBoth)
+TEST_P(TractionsTest, OneSideOfMirrorImagesTellsBoth)
 {
   const SurfaceGrid& grid = GetParam();
   const SurfaceGrid half = test::mirrored(grid);
-  const TractionCompliance compliance(grid, soft, stiff, 50.0), of_half = compliance.on(half);
+  const SurfaceCompliance compliance(grid, soft, stiff, 50.0), of_half = compliance.on(half);
   const SurfaceCompliance normal(grid, 1.3, 50.0), normal_of_half = normal.on(half);
   Fields load = random_load(grid.size(), 3);
   if (grid.ny % 2 == 1)
@@ -93,7 +92,7 @@ TEST_P(TractionComplianceTest, OneSideOfMirrorImagesTellsBoth)
   expect_alike(found.x, expected.x);
   expect_alike(found.y, expected.y, test::largest(expected.x));
   Fields back = load, back_of_half = load;
-  TractionCompliance::Scratch scratch = compliance.make_scratch(), own = of_half.make_scratch();
+  SurfaceCompliance::Scratch scratch = compliance.make_scratch(), own = of_half.make_scratch();
   compliance.apply_inverse({load.x, load.y}, {back.x, back.y}, scratch);
   of_half.apply_inverse({load.x, load.y}, {back_of_half.x, back_of_half.y}, own);
   expect_alike(back_of_half.x, back.x);
@@ -107,11 +106,11 @@ TEST_P(TractionComplianceTest, OneSideOfMirrorImagesTellsBoth)
   expect_alike(back_of_half.z, back.z);
 }
 
-TEST_P(TractionComplianceTest, IsSymmetricAndPositive)
+TEST_P(TractionsTest, IsSymmetricAndPositive)
 {
   // The work of one load on the displacement of another; the pressure's displacement along x is against that of the shear
   // along z (odd kernels of opposite signs).
-  const TractionCompliance compliance(GetParam(), soft, stiff, 50.0);
+  const SurfaceCompliance compliance(GetParam(), soft, stiff, 50.0);
   const std::size_t cells = GetParam().size();
   const Fields a = random_load(cells, 1), b = random_load(cells, 4);
   const Fields of_a = displacement(compliance, a), of_b = displacement(compliance, b);
@@ -121,12 +120,13 @@ TEST_P(TractionComplianceTest, IsSymmetricAndPositive)
   EXPECT_NEAR(dot(a, of_b), dot(b, of_a), 1e-13 * energy);
 }
 
-TEST_P(TractionComplianceTest, OfPressureAlongZIsTheSurfaceCompliance)
+/// Beside another displacement it is a product of three fields.
+TEST_P(TractionsTest, OfPressureAlongZIsThatOfPressureAlone)
 {
   const SurfaceGrid& g = GetParam();
   const Field p = test::random_field(g.size(), 7);
-  Field u(g.size()), expected(g.size());
-  TractionCompliance(g, soft, stiff, 50.0).apply({.pressure = p}, {.z = u});
+  Field u(g.size()), along(g.size()), expected(g.size());
+  SurfaceCompliance(g, soft, stiff, 50.0).apply({.pressure = p}, {.z = u, .x = along});
   const SurfaceCompliance normal(g, contact_modulus(soft, stiff), 50.0);
   SurfaceCompliance::Scratch scratch = normal.make_scratch();
   normal.apply({.pressure = p}, {.z = expected}, scratch);
@@ -134,9 +134,9 @@ TEST_P(TractionComplianceTest, OfPressureAlongZIsTheSurfaceCompliance)
   EXPECT_THROW(normal.apply({.pressure = p, .shear_x = p}, {.z = u}, scratch), InternalError);
 }
 
-TEST_P(TractionComplianceTest, PartsAddUpAndEmptyOnesAreZero)
+TEST_P(TractionsTest, PartsAddUpAndEmptyOnesAreZero)
 {
-  const TractionCompliance compliance(GetParam(), soft, stiff, 50.0);
+  const SurfaceCompliance compliance(GetParam(), soft, stiff, 50.0);
   const std::size_t cells = GetParam().size();
   const Fields load = random_load(cells, 8);
   const Fields whole = displacement(compliance, load);
@@ -155,33 +155,33 @@ TEST_P(TractionComplianceTest, PartsAddUpAndEmptyOnesAreZero)
   EXPECT_EQ(none.x, Field(cells));
 }
 
-TEST_P(TractionComplianceTest, AxesCanBeExchanged)
+TEST_P(TractionsTest, AxesCanBeExchanged)
 {
   const SurfaceGrid& g = GetParam();
   const SurfaceGrid h{g.ny, g.nx, g.dy, g.dx, g.boundary_y, g.boundary_x};
   const auto exchanged = [&](const Field& f) { return sampled(h, [&](int i, int j) { return f[g.index(j, i)]; }); };
   const Fields load = random_load(g.size(), 11);
-  const Fields a = displacement(TractionCompliance(g, soft, rigid, 50.0), load);
+  const Fields a = displacement(SurfaceCompliance(g, soft, rigid, 50.0), load);
   const Fields b =
-      displacement(TractionCompliance(h, soft, rigid, 50.0), {exchanged(load.z), exchanged(load.y), exchanged(load.x)});
+      displacement(SurfaceCompliance(h, soft, rigid, 50.0), {exchanged(load.z), exchanged(load.y), exchanged(load.x)});
   EXPECT_LT(largest_difference(exchanged(a.z), b.z), 1e-12);
   EXPECT_LT(largest_difference(exchanged(a.x), b.y), 1e-12);
   EXPECT_LT(largest_difference(exchanged(a.y), b.x), 1e-12);
 }
 
-TEST_P(TractionComplianceTest, EqualBodiesDoNotCouple)
+TEST_P(TractionsTest, EqualBodiesDoNotCouple)
 {
-  const TractionCompliance compliance(GetParam(), soft, soft, 50.0);
+  const SurfaceCompliance compliance(GetParam(), soft, soft, 50.0);
   const Fields load = random_load(GetParam().size(), 14);
   EXPECT_EQ(displacement(compliance, {{}, load.x, load.y}).z, Field(load.x.size()));
   EXPECT_EQ(displacement(compliance, {load.z, {}, {}}).x, Field(load.x.size()));
 }
 
-TEST_P(TractionComplianceTest, AScratchMayServeAgain)
+TEST_P(TractionsTest, AScratchMayServeAgain)
 {
-  const TractionCompliance compliance(GetParam(), soft, stiff, 50.0);
+  const SurfaceCompliance compliance(GetParam(), soft, stiff, 50.0);
   const std::size_t cells = GetParam().size();
-  TractionCompliance::Scratch scratch = compliance.make_scratch();
+  SurfaceCompliance::Scratch scratch = compliance.make_scratch();
   for (const unsigned seed : {1U, 2U})
   {
     const Fields load = random_load(cells, seed);
@@ -193,9 +193,9 @@ TEST_P(TractionComplianceTest, AScratchMayServeAgain)
   }
 }
 
-TEST_P(TractionComplianceTest, NoShearDisplacesMoreThanTheLargestResponse)
+TEST_P(TractionsTest, NoShearDisplacesMoreThanTheLargestResponse)
 {
-  const TractionCompliance compliance(GetParam(), soft, stiff, 50.0);
+  const SurfaceCompliance compliance(GetParam(), soft, stiff, 50.0);
   Fields load = random_load(GetParam().size(), 3);
   load.z.clear();
   double ratio = 0.0;
@@ -214,11 +214,11 @@ TEST_P(TractionComplianceTest, NoShearDisplacesMoreThanTheLargestResponse)
   EXPECT_GT(ratio, 0.3 * compliance.largest_of_shear()); // that of the padded grid, which is about twice as wide
 }
 
-TEST_P(TractionComplianceTest, TheInverseIsSymmetricAndPositiveAndNearlyInverts)
+TEST_P(TractionsTest, TheInverseIsSymmetricAndPositiveAndNearlyInverts)
 {
   const SurfaceGrid& g = GetParam();
-  const TractionCompliance compliance(g, soft, stiff, 50.0);
-  TractionCompliance::Scratch scratch = compliance.make_scratch();
+  const SurfaceCompliance compliance(g, soft, stiff, 50.0);
+  SurfaceCompliance::Scratch scratch = compliance.make_scratch();
   const double cell = 1.0 / compliance.stiffness_of_cell();
   for (const double added : {0.0, 3.0 * cell})
   {
@@ -248,13 +248,13 @@ TEST_P(TractionComplianceTest, TheInverseIsSymmetricAndPositiveAndNearlyInverts)
   }
 }
 
-TEST(TractionCompliancePeriodicTest, TheInverseOfWavesIsExact)
+TEST(TractionsPeriodicTest, TheInverseOfWavesIsExact)
 {
   for (const SurfaceGrid& g :
        {SurfaceGrid{8, 6, 0.7, 0.9, periodic, periodic}, SurfaceGrid{7, 5, 0.7, 0.9, periodic, periodic}})
   {
-    const TractionCompliance compliance(g, soft, stiff);
-    TractionCompliance::Scratch scratch = compliance.make_scratch();
+    const SurfaceCompliance compliance(g, soft, stiff);
+    SurfaceCompliance::Scratch scratch = compliance.make_scratch();
     Fields q = random_load(g.size(), 5);
     for (Field* part : {&q.x, &q.y})
     {
@@ -271,7 +271,7 @@ TEST(TractionCompliancePeriodicTest, TheInverseOfWavesIsExact)
   }
 }
 
-TEST(TractionComplianceHertzTest, DisplacementsAreMindlinsAndHertzs)
+TEST(TractionsHertzTest, DisplacementsAreMindlinsAndHertzs)
 {
   // Inside the circle, of a shear sqrt(1 - r^2) along x (Johnson 1985, Eqs. 3.91) and of such a pressure (Eqs. 3.41):
   //   u_x = pi/(32 mu) (4 (2 - nu) - (4 - 3 nu) x^2 - (4 - nu) y^2)    u_y = pi/(32 mu) 2 nu x y
@@ -285,7 +285,7 @@ TEST(TractionComplianceHertzTest, DisplacementsAreMindlinsAndHertzs)
     const double h = 1.0 / cells;
     const SurfaceGrid g{n, n, h, h};
     const Field load = hertz(g);
-    const TractionCompliance compliance(g, soft, rigid);
+    const SurfaceCompliance compliance(g, soft, rigid);
     const Fields of_shear = displacement(compliance, {{}, load, {}}),
                  of_pressure = displacement(compliance, {load, {}, {}});
     double largest = 0.0;
@@ -308,7 +308,7 @@ TEST(TractionComplianceHertzTest, DisplacementsAreMindlinsAndHertzs)
   EXPECT_LT(errors.back(), 1e-3);
 }
 
-TEST(TractionCompliancePeriodicTest, WavesHaveTheClosedForm)
+TEST(TractionsPeriodicTest, WavesHaveTheClosedForm)
 {
   // Of a wave with wavenumber k: u_l = (1 - nu)/(mu k) q_l, u_t = q_t/(mu k) across it, and a quarter of a wave off
   // u_z = (1 - 2 nu)/(2 mu k) q_l. A uniform shear displaces nothing.
@@ -319,14 +319,14 @@ TEST(TractionCompliancePeriodicTest, WavesHaveTheClosedForm)
   const auto wave = [&](double factor, double phase, double level)
   { return sampled(g, [&](int i, int j) { return level + factor * std::cos(m * i * g.dx + n * j * g.dy - phase); }); };
   const Fields load{{}, wave(q_l * c - q_t * s, 0.0, 2.0), wave(q_l * s + q_t * c, 0.0, -3.0)};
-  const Fields u = displacement(TractionCompliance(g, soft, rigid), load);
+  const Fields u = displacement(SurfaceCompliance(g, soft, rigid), load);
   const double u_l = (1.0 - nu) / (mu * k) * q_l, u_t = q_t / (mu * k);
   EXPECT_LT(largest_difference(u.x, wave(u_l * c - u_t * s, 0.0, 0.0)), 1e-13);
   EXPECT_LT(largest_difference(u.y, wave(u_l * s + u_t * c, 0.0, 0.0)), 1e-13);
   EXPECT_LT(largest_difference(u.z, wave((1.0 - 2.0 * nu) / (2.0 * mu * k) * q_l, 0.5 * pi, 0.0)), 1e-13);
 }
 
-TEST(TractionCompliancePeriodicTest, OneRowIsPlaneAndAntiplaneStrain)
+TEST(TractionsPeriodicTest, OneRowIsPlaneAndAntiplaneStrain)
 {
   // A line force Q per length on x = 0 (Johnson 1985, section 2.3): u_x = -2 (1 - nu)/(2 pi mu) Q ln(x/l) of one across the
   // line, u_y = -Q/(pi mu) ln(x/l) of one along it, and u_z = (1 - 2 nu)/(4 mu) Q in front of the first one. Ten cells away
@@ -335,7 +335,7 @@ TEST(TractionCompliancePeriodicTest, OneRowIsPlaneAndAntiplaneStrain)
   const double nu = soft.poisson_ratio, mu = soft.shear_modulus(), reference = 20.0, force = 0.1;
   Field one(g.size());
   one[10] = 1.0;
-  const TractionCompliance compliance(g, soft, rigid, reference);
+  const SurfaceCompliance compliance(g, soft, rigid, reference);
   const Fields across = displacement(compliance, {{}, one, {}}), along = displacement(compliance, {{}, {}, one});
   const double far = std::log(1.0 / reference);
   EXPECT_NEAR(across.x[20] / (-(1.0 - nu) / (pi * mu) * force * far), 1.0, 5e-4);
@@ -345,7 +345,7 @@ TEST(TractionCompliancePeriodicTest, OneRowIsPlaneAndAntiplaneStrain)
   EXPECT_NEAR(across.y[20], 0.0, 1e-14);
 }
 
-TEST(TractionCompliancePeriodicTest, WithOnePeriodicAxisIsTheMiddleOfARowOfCopies)
+TEST(TractionsPeriodicTest, WithOnePeriodicAxisIsTheMiddleOfARowOfCopies)
 {
   // Of loads whose sums are zero, so that there is nothing without end. What is missing beyond `count` copies on either side
   // falls as the sum of 1/r^2, the derivative of x/r^2: of first order.
@@ -361,7 +361,7 @@ TEST(TractionCompliancePeriodicTest, WithOnePeriodicAxisIsTheMiddleOfARowOfCopie
     return f;
   };
   const Fields load{balanced(1), balanced(2), balanced(3)};
-  const Fields exact = displacement(TractionCompliance(g, soft, rigid, 50.0), load);
+  const Fields exact = displacement(SurfaceCompliance(g, soft, rigid, 50.0), load);
   Field errors;
   for (const int count : {4, 8, 16})
   {
@@ -371,7 +371,7 @@ TEST(TractionCompliancePeriodicTest, WithOnePeriodicAxisIsTheMiddleOfARowOfCopie
     const auto copied = [&](const Field& f)
     { return sampled(row, [&](int i, int j) { return f[g.index(i, j % g.ny)]; }); };
     const Fields found =
-        displacement(TractionCompliance(row, soft, rigid), {copied(load.z), copied(load.x), copied(load.y)});
+        displacement(SurfaceCompliance(row, soft, rigid), {copied(load.z), copied(load.x), copied(load.y)});
     const auto middle = [&](const Field& f)
     { return sampled(g, [&](int i, int j) { return f[row.index(i, j + count * g.ny)]; }); };
     errors.push_back(
@@ -381,16 +381,19 @@ TEST(TractionCompliancePeriodicTest, WithOnePeriodicAxisIsTheMiddleOfARowOfCopie
   EXPECT_GT(test::Orders("row of copies of a traction, copies doubled", errors).last, 0.95);
 }
 
-TEST(TractionComplianceDoorTest, RefusesWhatItCannotDo)
+TEST(TractionsDoorTest, RefusesWhatItCannotDo)
 {
   const SurfaceGrid g{4, 3, 1.0, 1.0};
-  const TractionCompliance compliance(g, soft, rigid);
+  const SurfaceCompliance compliance(g, soft, rigid);
   Field twelve(12), eleven(11);
   EXPECT_THROW(compliance.apply({.heat = twelve}, {.z = twelve}), InputError);
   EXPECT_THROW(compliance.apply({.shear_x = eleven}, {.z = twelve}), InternalError);
   EXPECT_THROW(compliance.apply({.shear_x = twelve}, {.x = eleven}), InternalError);
-  EXPECT_THROW(TractionCompliance({4, 3, 1.0, 1.0, open, periodic}, soft, rigid), InternalError);
+  EXPECT_THROW(SurfaceCompliance({4, 3, 1.0, 1.0, open, periodic}, soft, rigid), InternalError);
+  const SurfaceCompliance other({3, 3, 1.0, 1.0}, soft, rigid);
+  SurfaceCompliance::Scratch of_other = other.make_scratch();
+  EXPECT_THROW(compliance.apply({.pressure = twelve}, {.z = twelve}, of_other), InternalError);
 }
 
 } // namespace
-} // namespace brinell::halfspace::traction_compliance_test
+} // namespace brinell::halfspace::tractions_test
