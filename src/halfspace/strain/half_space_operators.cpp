@@ -43,13 +43,8 @@ OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTract
   OfTraction<const TractionStress*> result{};
   for (const Traction traction : tractions)
     if (wanted[index(traction)])
-    {
-      Kernels& kernels = kernels_[index(traction)];
-      std::call_once(
-          kernels.tabulated, [&]
-          { kernels.stress = std::make_unique<TractionStress>(grid, elastic.poisson_ratio, surface_fft, traction); });
-      result[index(traction)] = kernels.stress.get();
-    }
+      result[index(traction)] = &kernels_[index(traction)].get(
+          [&] { return TractionStress(grid, elastic.poisson_ratio, surface_fft, traction); });
   return result;
 }
 

@@ -4,12 +4,12 @@
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "eigenstrain_stress.hpp"
+#include "foundation/lazy.hpp"
 #include "halfspace/traction/traction_stress.hpp"
 #include "halfspace/transform/mirrored_fft.hpp"
 #include "image_correction.hpp"
 
 #include <array>
-#include <mutex>
 #include <vector>
 
 /// Implementation of HalfSpace: transforms and kernels, and the order in which they are applied.
@@ -159,12 +159,7 @@ private:
   [[nodiscard]] OfTraction<const ComplexLanes*> surface_spectra(int block, const Work::Buffers& work) const;
   void sum_displacement(int block, const SpectrumRows& rows, int parts,
                         const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;
-  struct Kernels
-  {
-    std::once_flag tabulated;
-    std::unique_ptr<TractionStress> stress;
-  };
-  mutable OfTraction<Kernels> kernels_;
+  OfTraction<Lazy<TractionStress>> kernels_;
 };
 
 } // namespace brinell::halfspace
