@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/contact/contact_voltage.hpp"
 
+#include "foundation/gauss.hpp"
 #include "foundation/nan.hpp"
 
 #include <algorithm>
@@ -47,16 +48,14 @@ double root(const Function& falling, double low, double high)
 template <typename Function>
 double integral(const Function& f, double from, double to)
 {
-  constexpr std::array<double, 4> at{0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363},
-      weight{0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
   constexpr int parts = 4;
   const double half = 0.5 * (to - from) / parts;
   double sum = 0.0;
   for (int part = 0; part < parts; ++part)
   {
     const double middle = from + (2 * part + 1) * half;
-    for (std::size_t n = 0; n < at.size(); ++n)
-      sum += weight[n] * (f(middle - at[n] * half) + f(middle + at[n] * half));
+    for (std::size_t n = 0; n < gauss_point.size(); ++n)
+      sum += gauss_weight[n] * (f(middle - gauss_point[n] * half) + f(middle + gauss_point[n] * half));
   }
   return half * sum;
 }
@@ -112,14 +111,6 @@ double HotConductor::resistivity_at(double t) const
 double HotConductor::conductivity_at(double t) const
 {
   return conductivity ? *conductivity : lorenz_number * (t - absolute_zero) / resistivity_at(t);
-}
-
-double HotConductor::kirchhoff(double t) const
-{
-  if (!conductivity)
-    return 0.5 * lorenz_number * (t - temperature) * (t + temperature - 2.0 * absolute_zero);
-  const double mean = 0.5 * (t + temperature) - reference;
-  return *conductivity * resistivity * (t - temperature) * (1.0 + temperature_coefficient * mean);
 }
 
 double HotConductor::temperature_at(double kirchhoff) const

@@ -23,9 +23,9 @@ struct HotConductor
   /// @param t  [deg C]
   [[nodiscard]] double resistivity_at(double t) const;  ///< [ohm m]
   [[nodiscard]] double conductivity_at(double t) const; ///< [W/(m K)]
-  /// Integral of conductivity times resistivity from the temperature far away [V^2].
-  [[nodiscard]] double kirchhoff(double t) const;
-  /// The temperature at which `kirchhoff` has a value [deg C]; NaN if there is none.
+  /// The temperature up to which the integral of conductivity times resistivity, from the temperature far away, has a value
+  /// [deg C]; NaN if there is none.
+  /// @param kirchhoff  the value [V^2]
   [[nodiscard]] double temperature_at(double kirchhoff) const;
 };
 

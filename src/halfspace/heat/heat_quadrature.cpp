@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heat_quadrature.hpp"
 
+#include "foundation/gauss.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace brinell::halfspace
@@ -10,12 +11,6 @@ namespace brinell::halfspace
 
 namespace
 {
-
-/// Gauss-Legendre rule of eight points on [-1, 1], the positive half.
-constexpr std::array<double, 4> gauss_point{0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
-                                            0.96028985649753623168};
-constexpr std::array<double, 4> gauss_weight{0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
-                                             0.10122853629037625915};
 
 /// Adds the integral over u = sqrt(t) from `first` to `last`, where dt/sqrt(t) = 2 du.
 void add_piece(double first, double last, std::vector<PastTime>& times)
