@@ -66,15 +66,16 @@ print(*result.findings, sep="\n")
 # -------------------
 # Residuals without a trend say that the model fits the test.
 
-brinell.plot.fit_curve(result)
+brinell.plot.fit_curve(result, ax=plt.figure(figsize=(6.0, 4.8), layout="constrained"))
 plt.show()
 
 # %%
-# How the unknowns depend on each other
-# -------------------------------------
-# A lower yield stress with more hardening gives nearly the same curve: the ellipse is narrow and inclined.
+# How well the unknowns are known
+# -------------------------------
+# Those that the data determine: the narrow band is the interval by scatter, the wide one that with the error of the cells. A lower
+# yield stress with more hardening gives nearly the same curve, so that the hardening is left out here.
 
-brinell.plot.fit_corner(result)
+brinell.plot.fit_corner(result, ax=plt.figure(figsize=(5.5, 5.0), layout="constrained"))
 plt.show()
 
 # %%
