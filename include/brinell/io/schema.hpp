@@ -123,6 +123,14 @@ struct Condition
 
 struct Case;
 
+/// Range of a number over all that exists; a value outside has probably a wrong unit.
+struct Usual
+{
+  const char* warning = nullptr; ///< name of the warning; nullptr: no range
+  double min = 0.0, max = 0.0;
+  const char* doubt = nullptr; ///< "which no solid has"
+};
+
 /// One key of the case file.
 struct Entry
 {
@@ -136,12 +144,14 @@ struct Entry
   std::string unset{};                                      ///< effect of leaving the key unset
   std::string text;                                         ///< meaning
   std::string hint{};                                       ///< usual values, for messages
+  Usual usual{};                                            ///< of SI values
   Condition when{};
   std::string excludes{}; ///< a key that cannot stand beside this one
   std::string
       one_of{}; ///< group of keys of which exactly one is given; one on the command line overrides one in the file
   std::string list{};    ///< name of its table, if the table may be repeated, as in [[lower.texture]]
   std::string pure_if{}; ///< boolean key: if true the value is a pure number, not a quantity
+  std::string member{};  ///< the member that it fills as messages name it, "CurrentDrive::film"; see member_keys.hpp
   std::function<void(Case&, const Value&)> fill{}; ///< stores the value in the case; empty: a separate reader does so
 };
 

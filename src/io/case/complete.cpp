@@ -132,17 +132,14 @@ void warn_of_heights(const CaseReader& reader, const std::string& name, const si
                texture.parts[i]);
 }
 
-/// Warns of wear coefficients that no solid has.
-void warn_of_wear(const elastoplastic::WearLaw& wear, Case& c)
+/// Warns of numbers beyond all that exists, which probably have a wrong unit.
+void warn_of_unusual(const CaseReader& reader, Case& c)
 {
-  constexpr double most = 1e-9; // [1/Pa], 1 mm^3/(N m): a thousand times what soft metals lose
-  for (const auto& [key, value] :
-       {std::pair{"interface.wear.lower", wear.lower}, std::pair{"interface.wear.upper", wear.upper}})
-    if (value > most)
-      warn(c, "unusual_wear",
-           "{} is {:.4g} 1/Pa, more than any solid loses; is the unit right? A unit is given as text: \"{:.4g} mm^3/(N "
-           "m)\"",
-           key, value, value);
+  for (const Entry& entry : case_schema())
+    if (const Usual& usual = entry.usual; usual.warning && reader.has(entry.key))
+      if (const double value = reader.get<double>(entry.key); value < usual.min || value > usual.max)
+        warn(c, usual.warning, "{} is {:.4g} {}, {}; is the unit right? {}", entry.key, value,
+             si_unit(entry.of.dimension), usual.doubt, entry.hint);
 }
 
 void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const simulation::Domain& domain, Case& c)
@@ -183,7 +180,7 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
     warn_of_table(reader, name, c);
     warn_of_heights(reader, name, body->texture, c);
   }
-  std::visit([&](const simulation::Numerics& numerics) { warn_of_wear(numerics.wear, c); }, c.scenario);
+  warn_of_unusual(reader, c);
   if (lower.material.elastic.is_rigid() && upper.material.elastic.is_rigid())
     reader.add("upper.material.rigid", "leaves no body that deforms; allowed: one rigid body");
   if (const auto reason = simulation::reason_against_contact(lower, upper, domain))

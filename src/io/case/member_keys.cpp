@@ -15,7 +15,7 @@ namespace
 
 using Names = std::pair<std::string_view, std::string_view>;
 
-/// Tables whose keys are called like the members of a class.
+/// Tables whose keys are called like the members of a class. An entry whose key has another name than its member says so itself.
 constexpr std::array tables{Names{"TuggingCase", "tugging"},
                             Names{"RollingCase", "rolling"},
                             Names{"SlidingCase", "sliding"},
@@ -25,19 +25,8 @@ constexpr std::array tables{Names{"TuggingCase", "tugging"},
                             Names{"Numerics", "grid"},
                             Names{"Settings", "solver"},
                             Names{"Friction", "interface"},
-                            Names{"WearLaw", "interface.wear"},
-                            Names{"CurrentDrive", "interface"},
                             Names{"HeatSettings", "thermal"},
                             Names{"HeatSource", "thermal.source"}};
-
-/// Members whose keys have other names, or are in other tables.
-constexpr std::array others{Names{"Friction::coefficient", "interface.friction"},
-                            Names{"WearLaw::kind", "interface.wear.law"},
-                            Names{"CurrentDrive::film", "interface.film_resistance"},
-                            Names{"HeatSettings::fraction", "interface.heat_fraction"},
-                            Names{"HeatSettings::of_plastic_work", "thermal.heat_of_plastic_work"},
-                            Names{"lower.material.temperature", "lower.material.thermal.temperature"},
-                            Names{"upper.material.temperature", "upper.material.thermal.temperature"}};
 
 std::string_view second(const auto& list, std::string_view first)
 {
@@ -49,8 +38,9 @@ std::string_view second(const auto& list, std::string_view first)
 
 std::string key_of_member(std::string_view member)
 {
-  if (const std::string_view other = second(others, member); !other.empty())
-    return std::string(other);
+  for (const Entry& entry : case_schema())
+    if (!entry.member.empty() && entry.member == member)
+      return entry.key;
   const auto colons = member.find("::");
   const std::string_view table = second(tables, member.substr(0, colons));
   return table.empty() ? std::string(member) : std::string(table) + "." + std::string(member.substr(colons + 2));

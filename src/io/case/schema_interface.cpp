@@ -40,7 +40,8 @@ std::vector<Entry> friction_entries()
                  "Coefficient of Coulomb friction: where the surfaces slide, the shear is friction x pressure, "
                  "limited by shear_limit, and opposes the relative motion. In rolling friction needs a slide_to_roll "
                  "other than 0 or creepage, and it does not act while the upper body is pressed on or lifted off. In "
-                 "fretting, and in rolling with creepage, the surfaces stick where less shear is enough."},
+                 "fretting, and in rolling with creepage, the surfaces stick where less shear is enough.",
+             .member = "Friction::coefficient"},
             &Friction::coefficient),
       entry(
           {.key = "interface.shear_limit",
@@ -82,7 +83,9 @@ std::vector<Entry> wear_entries()
     return entry({.key = std::string("interface.wear.") + key,
                   .of = kind::wear.at_least(0.0),
                   .text = text,
-                  .hint = "dry steel on steel has 1e-9 to 1e-4 mm^3/(N m), which is 1e-18 to 1e-13 1/Pa"},
+                  .hint = "dry steel on steel has 1e-9 to 1e-4 mm^3/(N m), which is 1e-18 to 1e-13 1/Pa",
+                  .usual = {"unusual_wear", 0.0, 1e-9, "more than any solid loses"}, // 1000 times that of soft metals
+                  .member = std::string("WearLaw::") + key},
                  member);
   };
   return {
@@ -95,7 +98,8 @@ std::vector<Entry> wear_entries()
       entry({.key = "interface.wear.law",
              .choices = {"archard", "energy"},
              .text = "Wear law. archard: worn depth = coefficient x pressure x slip length; energy: worn depth = "
-                     "coefficient x friction work per area (shear x slip length)."},
+                     "coefficient x friction work per area (shear x slip length).",
+             .member = "WearLaw::kind"},
             &WearLaw::kind),
   };
 }
@@ -112,17 +116,20 @@ std::vector<Entry> current_entries()
              .unset = "no current",
              .text = "Electric current between bodies that both have an electrical resistivity; over a period, that "
                      "of one period.",
-             .excludes = "interface.voltage"},
+             .excludes = "interface.voltage",
+             .member = "CurrentDrive::current"},
             &CurrentDrive::current),
       entry({.key = "interface.voltage",
              .of = kind::voltage.at_least(0.0),
              .unset = "no current",
              .text = "Voltage between points of the two bodies far from the contact, in place of a current.",
-             .excludes = "interface.current"},
+             .excludes = "interface.current",
+             .member = "CurrentDrive::voltage"},
             &CurrentDrive::voltage),
       entry({.key = "interface.film_resistance",
              .of = kind::area_resistance.at_least(0.0),
-             .text = "Resistance times area of a film between the surfaces, such as an oxide. 0: no film."},
+             .text = "Resistance times area of a film between the surfaces, such as an oxide. 0: no film.",
+             .member = "CurrentDrive::film"},
             &CurrentDrive::film),
   };
 }
@@ -136,7 +143,8 @@ std::vector<Entry> interface_entries()
        current_entries(),
        {of_heat({.key = "interface.heat_fraction",
                  .of = kind::number.between(0.0, 1.0),
-                 .text = "Share of the friction power that heats the two bodies, if they have thermal constants."},
+                 .text = "Share of the friction power that heats the two bodies, if they have thermal constants.",
+                 .member = "HeatSettings::fraction"},
                 &elastoplastic::HeatSettings::fraction)},
        wear_entries()});
 }
@@ -241,7 +249,8 @@ std::vector<Entry> effect_entries()
                .of = kind::number.between(0.0, 1.0),
                .text = "Share of the plastic work that becomes heat, in the cells in which it is done. It acts only if "
                        "the heat of friction is computed. 0: plastic work does not heat. Metals have about 0.9; the "
-                       "rest stays in the material."},
+                       "rest stays in the material.",
+               .member = "HeatSettings::of_plastic_work"},
               &HeatSettings::of_plastic_work),
       of_heat({.key = "thermal.displacement",
                .text = "Whether thermal expansion of the surfaces changes the gap. false: this effect is neglected."},

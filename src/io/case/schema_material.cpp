@@ -210,7 +210,8 @@ Entries depth_entries(const std::string& table, const Condition& yields)
       });
 }
 
-constexpr double absolute_zero = -273.15; // [degC]
+constexpr double absolute_zero = -273.15;              // [degC]
+constexpr const char* no_solid = "which no solid has"; // from foams to metals and diamond
 
 /// Keys of the thermal constants of a material.
 Entries thermal_entries(const std::string& material)
@@ -224,17 +225,20 @@ Entries thermal_entries(const std::string& material)
            .of = kind::conductivity.above(0.0),
            .unset = "no heat",
            .text = "Thermal conductivity K. With density rho and specific heat c the diffusivity is K/(rho c).",
-           .hint = "a steel has 15 to 60 W/(m K)"},
+           .hint = "a steel has 15 to 60 W/(m K)",
+           .usual = {"unusual_thermal", 0.01, 3000.0, no_solid}},
           {.key = "density",
            .of = kind::density.above(0.0),
            .unset = "no heat",
            .text = "Mass per volume rho.",
-           .hint = "a steel has about 7850 kg/m^3"},
+           .hint = "a steel has about 7850 kg/m^3",
+           .usual = {"unusual_thermal", 10.0, 23000.0, no_solid}},
           {.key = "specific_heat",
            .of = kind::specific_heat.above(0.0),
            .unset = "no heat",
            .text = "Heat capacity per mass c.",
-           .hint = "a steel has about 460 J/(kg K)"},
+           .hint = "a steel has about 460 J/(kg K)",
+           .usual = {"unusual_thermal", 50.0, 10000.0, no_solid}},
           {.key = "expansion",
            .of = kind::expansion.between(-most_expansion, most_expansion),
            .unset = "no heat",
@@ -244,7 +248,8 @@ Entries thermal_entries(const std::string& material)
           {.key = "temperature",
            .of = kind::temperature.above(absolute_zero),
            .unset = "20 degC",
-           .text = "Temperature of the bulk, far from the contact and before the first load."},
+           .text = "Temperature of the bulk, far from the contact and before the first load.",
+           .member = material + "temperature"},
       });
 }
 

@@ -58,37 +58,11 @@ std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader
   return constitutive::JohnsonCookSoftening{reference, melting, reader.get<double>(table + "exponent")};
 }
 
-namespace
-{
-
-/// Range of a thermal constant over all solids, from foams to metals and diamond.
-struct UsualRange
-{
-  const char* key;
-  double Thermal::*member;
-  double min, max;
-};
-
-constexpr UsualRange usual_ranges[] = {
-    {"conductivity", &Thermal::conductivity, 0.01, 3000.0},
-    {"density", &Thermal::density, 10.0, 23000.0},
-    {"specific_heat", &Thermal::specific_heat, 50.0, 10000.0},
-};
-
-} // namespace
-
 void warn_of_thermal(const CaseReader& reader, const std::string& body, const constitutive::Material& material, Case& c)
 {
   if (!material.thermal)
     return;
   const std::string table = body + ".material.thermal";
-  for (const UsualRange& range : usual_ranges)
-    if (const double value = *material.thermal.*range.member; value < range.min || value > range.max)
-    {
-      const Entry& entry = *find_entry(fmt::format("{}.{}", table, range.key));
-      warn(c, "unusual_thermal", "{} is {:.4g} {}, which no solid has; is the unit right? {}", entry.key, value,
-           si_unit(entry.of.dimension), entry.hint);
-    }
   constexpr double ice_point = 273.0, warm_room = 310.0; // [K]
   const Given* given = reader.raw.find(table + ".temperature");
   if (const double t = material.temperature;
