@@ -2,14 +2,13 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/fretting.hpp"
 #include "pressing.hpp"
-#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
+#include "simulation/plan/effects.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/plan_end.hpp"
-#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -159,11 +158,10 @@ FrettingPlan plan(const FrettingCase& fretting)
   const double friction = fretting.amplitude > 0.0 ? fretting.friction.coefficient : 0.0;
   const Footprint f = footprint(fretting.lower, fretting.upper, fretting.press, fretting.domain, friction);
   require_amplitude(fretting, f);
-  require_current(fretting);
-  require_wear(fretting,
-               fretting.amplitude > 0.0 && fretting.cycles > 0
-                   ? ""
-                   : "the surfaces do not slide without a cycle, or with an amplitude of 0; allowed: 0, or a motion");
+  require_effects(
+      fretting, fretting.amplitude > 0.0 && fretting.cycles > 0
+                    ? ""
+                    : "the surfaces do not slide without a cycle, or with an amplitude of 0; allowed: 0, or a motion");
   FrettingPlan plan;
   plan.surfaces_only = needs_surfaces_only(fretting);
   lay_out(fretting, f, 0.0, 0.0, plan);

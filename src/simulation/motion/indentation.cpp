@@ -8,14 +8,13 @@
 #include "period.hpp"
 #include "pressing.hpp"
 #include "run_state.hpp"
-#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
+#include "simulation/plan/effects.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -199,8 +198,7 @@ IndentationPlan plan(const IndentationCase& indentation)
 {
   const char* resting = "the surfaces do not slide in an indentation; allowed: 0, or another scenario";
   require_friction(indentation, resting);
-  require_current(indentation);
-  require_wear(indentation, resting);
+  require_effects(indentation, resting);
   if (indentation.heat.source.exists())
     throw PlanError(
         "`HeatSettings::source`: no heat is computed in an indentation; allowed: none, or another scenario");

@@ -3,15 +3,14 @@
 
 #include "brinell/foundation/error.hpp"
 #include "pressing.hpp"
-#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
+#include "simulation/plan/effects.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,8 +102,7 @@ RollingPlan plan(const RollingCase& rolling)
             "`RollingCase::creepage`"
           : "";
   require_friction(rolling, why_not);
-  require_current(rolling);
-  require_wear(rolling, why_not);
+  require_effects(rolling, why_not);
   require_heat(rolling, {.speed = rolling.speed,
                          .speed_name = "`RollingCase::speed`",
                          .upper_rests = rolling.slide_to_roll == 2.0,

@@ -6,15 +6,14 @@
 #include "foundation/nan.hpp"
 #include "period.hpp"
 #include "pressing.hpp"
-#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
+#include "simulation/plan/effects.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/meeting.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,8 +132,7 @@ halfspace::HeatTimes heat_times(const SlidingCase& sliding, const SlidingPlan& p
 SlidingPlan plan(const SlidingCase& sliding)
 {
   require_friction(sliding, "");
-  require_current(sliding);
-  require_wear(sliding, "");
+  require_effects(sliding, "");
   require_motion(sliding);
   require_press(sliding);
   require_heat(sliding, {.speed = sliding.speed, .speed_name = "`SlidingCase::speed`", .upper_rests = true});

@@ -4,15 +4,14 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/reference/hertz.hpp"
 #include "brinell/simulation/first_yield.hpp"
-#include "simulation/plan/current.hpp"
 #include "simulation/plan/domain.hpp"
+#include "simulation/plan/effects.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/heat.hpp"
 #include "simulation/plan/plan_end.hpp"
 #include "simulation/plan/symmetry.hpp"
-#include "simulation/plan/wear.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -265,8 +264,7 @@ Passing passing(const TuggingCase& tugging, double dx)
 TuggingPlan plan(const TuggingCase& tugging)
 {
   require_friction(tugging, "");
-  require_current(tugging);
-  require_wear(tugging, "");
+  require_effects(tugging, "");
   require_heat(tugging, {.speed = tugging.speed, .speed_name = "`TuggingCase::speed`"});
   for (const auto& [name, body] : {std::pair{"lower", &tugging.lower}, {"upper", &tugging.upper}})
     static_cast<void>(required_radius(name, body->shape));

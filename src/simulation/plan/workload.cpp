@@ -174,6 +174,9 @@ std::vector<Factor> factors_of(const Situation& s, double severity)
                flats = s.is_of_flats && !s.is_smooth ? 1.0 : 0.0, tip = s.tip > 0.0 ? 1.0 : 0.0;
   const bool both =
       s.lower.material.is_plastic() && s.upper.material.is_plastic() && s.plan.twin == elastoplastic::Twin::none;
+  const auto effects = elastoplastic::names_of(s.pair, {&s.lower.material, &s.upper.material});
+  const auto acts = [&](std::string_view effect)
+  { return std::find(effects.begin(), effects.end(), effect) != effects.end() ? 1.0 : 0.0; };
   std::vector<Factor> factors{{"indentation", presses},
                               {"rolling", is(RunKind::rolling)},
                               {"tugging", is(RunKind::tugging)},
@@ -201,7 +204,7 @@ std::vector<Factor> factors_of(const Situation& s, double severity)
                               {"resolution", std::log(s.half_width / s.plan.contact.dx / 8.0)},
                               {"kinematic hardening", s.soft.is_kinematic ? 1.0 : 0.0},
                               {"both bodies", both ? 1.0 : 0.0},
-                              {"wear", s.pair.wear.wears() ? 1.0 : 0.0},
+                              {"wear", acts("wear")},
                               {"heat", s.heats ? 1.0 : 0.0},
                               {"steps of loading", presses * std::log(std::max(1.0, course.loading) / 8.0)},
                               {"unloading", presses * course.unloading / steps},

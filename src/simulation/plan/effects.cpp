@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "current.hpp"
+#include "effects.hpp"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -10,6 +11,23 @@ namespace brinell::simulation
 
 namespace
 {
+
+void require_wear(const PairCase& c, const std::string& why_no_slip)
+{
+  const elastoplastic::WearLaw& wear = c.wear;
+  for (const auto& [key, coefficient] : {std::pair{"`WearLaw::lower`", wear.lower}, {"`WearLaw::upper`", wear.upper}})
+    if (!(coefficient >= 0.0 && std::isfinite(coefficient)))
+      throw PlanError("{} = {:g} 1/Pa; allowed: number >= 0", key, coefficient);
+  if (!wear.wears())
+    return;
+  const std::string key = wear.lower > 0.0 ? "`WearLaw::lower`" : "`WearLaw::upper`";
+  const std::string given = fmt::format("{} = {:g} 1/Pa", key, wear.lower > 0.0 ? wear.lower : wear.upper);
+  if (!why_no_slip.empty())
+    throw PlanError("{}: {}", given, why_no_slip);
+  if (wear.kind == elastoplastic::WearLaw::Kind::energy && c.friction.coefficient == 0.0)
+    throw PlanError("`WearLaw::kind` = \"energy\" with `Friction::coefficient` = 0: no friction work, "
+                    "no wear; allowed: friction > 0, or the law \"archard\"");
+}
 
 /// The first of the drives and the film that is given, as messages name it; empty if none is.
 std::string given_of(const elastoplastic::CurrentDrive& drive)
@@ -31,9 +49,7 @@ void require_electrical(const constitutive::Electrical& electrical, const std::s
                     electrical.temperature_coefficient);
 }
 
-} // namespace
-
-void require_current(const PairCase& c)
+void require_current(const PairCase& c, const std::string& /*why_no_slip*/)
 {
   const elastoplastic::CurrentDrive& drive = c.current;
   for (const auto& [key, value] : {std::pair{"`CurrentDrive::current`", drive.current.value_or(0.0)},
@@ -57,6 +73,16 @@ void require_current(const PairCase& c)
                       "do not depend on temperature; allowed: with {} = 0",
                       drive.film, member_of(name, "material.electrical.temperature_coefficient"));
   }
+}
+
+constexpr std::array checks{require_current, require_wear};
+
+} // namespace
+
+void require_effects(const PairCase& c, const std::string& why_no_slip)
+{
+  for (const auto check : checks)
+    check(c, why_no_slip);
 }
 
 } // namespace brinell::simulation
