@@ -44,26 +44,15 @@ std::optional<double> growth_of_lower(const RunTotals& seen)
   return std::sqrt(std::max(1.0, upper / lower)); // docs/verification/accuracy.md (expected error)
 }
 
-// docs/verification/accuracy.md (expected error)
-constexpr Documented contact_resistance{.quantity = "contact resistance",
-                                        .name = "current.min_resistance_ohm",
-                                        .error = 0.03,
-                                        .cells = 5.0,
-                                        .order = 1.5,
-                                        .of = Documented::Of::elastic_contact,
-                                        .of_steps = 0.05,
-                                        .on_textures = 0.5};
-
 /// All that the tables know about the quantities of the run.
 std::vector<Documented> all_documented(const Facts& f)
 {
   std::vector<Documented> all = f.documented;
   if (f.is_heated && !f.has_source)
     all.push_back(f.temperature_rise);
-  if (f.wears)
-    all.push_back(f.worn_depth);
-  if (f.conducts)
-    all.push_back(contact_resistance);
+  for (const std::string_view effect : f.effects)
+    if (const std::optional<Documented> documented = documented_of_effect(effect, f))
+      all.push_back(*documented);
   return all;
 }
 

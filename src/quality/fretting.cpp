@@ -87,7 +87,7 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan, const Seen<Fretting
   if (across)
     heat.further = error_of_thin_ring(*across); // 2.9 % with 2.2 cells
   if (is_thin)
-    slip.further = f.worn_depth.further = f.temperature_rise.further = heat.further;
+    slip.further = f.slip.further = f.temperature_rise.further = heat.further;
   if (c.kind != FrettingCase::Kind::force)
     f.documented.push_back({.quantity = "largest force along the surface",
                             .name = "cycles[*].max_force_N",
@@ -122,7 +122,7 @@ Facts facts(const FrettingCase& c, const FrettingPlan& plan, const Seen<Fretting
   f.while_heated = "in half a cycle";
   if (!f.slides) // the rim of the contact wears most, and is heated alone
   {
-    f.worn_depth.error = 0.06;
+    f.slip.error = 0.06;
     f.temperature_rise.error = temperature_error_of_sticking;
   }
   f.warning = thin_slip(c, plan);

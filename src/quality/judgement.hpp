@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Derives the `Quality` of a result: each scenario supplies its facts, and the rules are the same for all.
@@ -52,13 +53,13 @@ struct Facts
                               .order = 1.0,
                               .of = Documented::Of::elastic_contact,
                               .of_steps = 0.2}; ///< without sticking
-  Documented worn_depth{.quantity = "worn depth",
-                        .name = "wear.max_depth_*_m",
-                        .error = 0.015,
-                        .cells = 8.0,
-                        .order = 1.0,
-                        .of = Documented::Of::elastic_contact,
-                        .of_steps = 0.3}; ///< without sticking
+  Documented slip{.quantity = "slip",
+                  .name = "",
+                  .error = 0.015,
+                  .cells = 8.0,
+                  .order = 1.0,
+                  .of = Documented::Of::elastic_contact,
+                  .of_steps = 0.3}; ///< of the slip and of all that it accumulates; without sticking
   std::vector<Documented> documented;
   bool forgets_if_elastic =
       false; ///< without plastic strain a step does not depend on earlier ones: there is no friction
@@ -79,11 +80,10 @@ struct Facts
   std::optional<double> cells_per_texture; ///< cells per shortest wave of any textured bodies; see roughness.hpp
   std::array<const simulation::Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
-  bool is_heated = false;  ///< by friction or a source
-  bool has_source = false; ///< of heat, other than friction
-  bool wears = false;
-  bool conducts = false;           ///< electric current
-  bool is_current_given = false;   ///< a current or a voltage other than 0
+  bool is_heated = false;                ///< by friction or a source
+  bool has_source = false;               ///< of heat, other than friction
+  std::vector<std::string_view> effects; ///< names of those that act
+  elastoplastic::Effects effect_settings;
   bool has_thermal_stress = false; ///< thermal stress is part of the yield condition
   /// In which a point is heated [s]: the contact passes it, on the body over which it moves faster; or half a cycle.
   std::optional<double> heating_time;

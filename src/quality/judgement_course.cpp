@@ -19,9 +19,6 @@ namespace
 
 constexpr double largest_strain = 0.05;    ///< products of strains are neglected, an error of 5 % of the strain
 constexpr double largest_imbalance = 0.02; ///< error of the energy balance over the largest work
-constexpr double largest_wear_step =
-    0.05; ///< wear in one increment over the approach, which is about the relative change of the pressure
-constexpr double largest_worn_share_of_layer = 0.25; ///< worn depth over the thickness of a layer of cells
 /// Largest rise above the bulk temperature, for which the constants are given [K]. Carbon steel at 520 instead of 20 deg C has
 /// 0.54 of its elastic modulus, 0.72 of its yield stress, 0.69 of its conductivity and 1.55 times its specific heat (EN
 /// 1993-1-2:2005, 3.2.1 and 3.4.1).
@@ -234,49 +231,6 @@ void warn_of_heat(const Facts& facts, const RunTotals& totals, std::vector<Warni
            fmt::format(
                "the {} surface reaches {:.0f} degC, beyond the table of its softening, whose last value is used", name,
                hottest)});
-  }
-}
-
-void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
-{
-  if (const double share = totals.max_wear_step / facts.approach; share > largest_wear_step)
-    warnings.push_back(
-        {"long_wear_step",
-         fmt::format("the worn depth of one increment is up to {}, {} of the approach, so that the pressure changes "
-                     "considerably within an increment; use smaller steps, or a smaller wear coefficient",
-                     length_text(totals.max_wear_step), percent_text(share))});
-  const std::array worn{totals.max_worn_depth_lower, totals.max_worn_depth_upper};
-  for (std::size_t side = 0; side < 2; ++side)
-    if (facts.materials[side]->is_plastic() && totals.max_equivalent_plastic_strain > 0.0 &&
-        worn[side] > largest_worn_share_of_layer * facts.cell[2])
-      warnings.push_back(
-          {"worn_strain",
-           fmt::format(
-               "the {} surface has a worn depth of up to {}, {} of the thickness of a layer of cells: plastic strain "
-               "and residual stress keep their depth below the worn surface, which is an estimate above {}",
-               side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / facts.cell[2]),
-               percent_text(largest_worn_share_of_layer))});
-}
-
-void warn_of_current(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
-{
-  if (!facts.conducts || !facts.is_current_given)
-    return;
-  if (std::isnan(totals.max_contact_temperature))
-    warnings.push_back({"no_steady_current",
-                        "the current is larger than any that the contact bears in a steady state: it would melt or "
-                        "evaporate, and resistance, voltage and temperature of these steps are not numbers"});
-  constexpr double warm = 100.0; // [K]
-  for (std::size_t side = 0; side < 2; ++side)
-  {
-    const constitutive::Material& material = *facts.materials[side];
-    const double rise = totals.max_contact_temperature - material.temperature;
-    if (rise > warm && material.is_plastic())
-      warnings.push_back(
-          {"hot_current",
-           fmt::format("the current heats the contact to {:.0f} degC; the {} body yields as if it had "
-                       "its bulk temperature of {:.0f} degC",
-                       totals.max_contact_temperature, side == 0 ? "lower" : "upper", material.temperature)});
   }
 }
 

@@ -3,7 +3,9 @@
 
 #include "judgement.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Groups of rules for warnings; each function appends to `warnings`.
@@ -60,11 +62,10 @@ void warn_of_course(const Facts& facts, const simulation::RunTotals& totals, std
 /// Warns of temperatures beyond the range of the softening law or of the thermal constants.
 void warn_of_heat(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
-/// Warns of wear that is too large: in one increment, because it is computed with the pressure at the end, or in total, because
-/// plastic strain does not move with the worn surface.
-void warn_of_wear(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
+/// The error of an effect, from the tables; none for an effect without one.
+[[nodiscard]] std::optional<Documented> documented_of_effect(std::string_view effect, const Facts& facts);
 
-/// Warns of currents without a steady state, and of heat that the bodies do not feel.
-void warn_of_current(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
+/// Warns of what the effects do that an increment, or their laws, do not follow.
+void warn_of_effects(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
 } // namespace brinell::quality

@@ -256,9 +256,8 @@ Facts facts_of(const PairCase& c, const Plan& plan, double half_x, double half_y
   f.materials = {&c.lower.material, &c.upper.material};
   f.is_heated = is_heated(c);
   f.has_source = c.heat.source.exists();
-  f.wears = c.wear.wears();
-  f.conducts = c.lower.material.electrical && c.upper.material.electrical;
-  f.is_current_given = c.current.current.value_or(c.current.voltage.value_or(0.0)) > 0.0;
+  f.effects = elastoplastic::names_of(c, f.materials);
+  f.effect_settings = c;
   f.has_thermal_stress = c.heat.stress;
   f.friction = c.friction.coefficient;
   f.shear_limit = c.friction.shear_limit.value_or(f.shear_limit);
@@ -323,8 +322,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   judge.of_warm_bulk();
   warn_of_course(f, totals, judge.warnings());
   warn_of_heat(f, totals, judge.warnings());
-  warn_of_wear(f, totals, judge.warnings());
-  warn_of_current(f, totals, judge.warnings());
+  warn_of_effects(f, totals, judge.warnings());
   judge.of_scenario();
   return std::move(judge).result();
 }

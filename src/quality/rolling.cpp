@@ -282,7 +282,7 @@ Facts facts(const RollingCase& c, const RollingPlan& plan, const Seen<RollingCas
   if (c.creepage)
   {
     f.temperature_rise.error = temperature_error_of_sticking;
-    f.worn_depth.error = creep_force.error; // it goes with the work of the creep force
+    f.slip.error = creep_force.error; // it goes with the work of the creep force
   }
   // The motion of the faster surface counts: with much sliding it moves many cells while the other one moves one cell.
   if (const double faster = plan.shift * std::max(1.0, upper_share(c)); c.shift || faster > plan.shift)

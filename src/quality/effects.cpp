@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judgement_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <string_view>
+
+/// Expected errors and warnings of the effects between the surfaces.
+namespace brinell::quality
+{
+
+using namespace simulation;
+
+namespace
+{
+
+constexpr double largest_wear_step =
+    0.05; ///< wear in one increment over the approach, which is about the relative change of the pressure
+constexpr double largest_worn_share_of_layer = 0.25; ///< worn depth over the thickness of a layer of cells
+
+// docs/verification/accuracy.md (expected error)
+constexpr Documented contact_resistance{.quantity = "contact resistance",
+                                        .name = "current.min_resistance_ohm",
+                                        .error = 0.03,
+                                        .cells = 5.0,
+                                        .order = 1.5,
+                                        .of = Documented::Of::elastic_contact,
+                                        .of_steps = 0.05,
+                                        .on_textures = 0.5};
+
+/// Error of the worn depth, which goes with the slip.
+Documented worn_depth(const Facts& f)
+{
+  Documented depth = f.slip;
+  depth.quantity = "worn depth";
+  depth.name = "wear.max_depth_*_m";
+  return depth;
+}
+
+void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  if (const double share = totals.max_wear_step / facts.approach; share > largest_wear_step)
+    warnings.push_back(
+        {"long_wear_step",
+         fmt::format("the worn depth of one increment is up to {}, {} of the approach, so that the pressure changes "
+                     "considerably within an increment; use smaller steps, or a smaller wear coefficient",
+                     length_text(totals.max_wear_step), percent_text(share))});
+  const std::array worn{totals.max_worn_depth_lower, totals.max_worn_depth_upper};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (facts.materials[side]->is_plastic() && totals.max_equivalent_plastic_strain > 0.0 &&
+        worn[side] > largest_worn_share_of_layer * facts.cell[2])
+      warnings.push_back(
+          {"worn_strain",
+           fmt::format(
+               "the {} surface has a worn depth of up to {}, {} of the thickness of a layer of cells: plastic strain "
+               "and residual stress keep their depth below the worn surface, which is an estimate above {}",
+               side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / facts.cell[2]),
+               percent_text(largest_worn_share_of_layer))});
+}
+
+void warn_of_current(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  const elastoplastic::CurrentDrive& drive = facts.effect_settings.current;
+  if (!(drive.current.value_or(drive.voltage.value_or(0.0)) > 0.0))
+    return;
+  if (std::isnan(totals.max_contact_temperature))
+    warnings.push_back({"no_steady_current",
+                        "the current is larger than any that the contact bears in a steady state: it would melt or "
+                        "evaporate, and resistance, voltage and temperature of these steps are not numbers"});
+  constexpr double warm = 100.0; // [K]
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const constitutive::Material& material = *facts.materials[side];
+    const double rise = totals.max_contact_temperature - material.temperature;
+    if (rise > warm && material.is_plastic())
+      warnings.push_back(
+          {"hot_current",
+           fmt::format("the current heats the contact to {:.0f} degC; the {} body yields as if it had "
+                       "its bulk temperature of {:.0f} degC",
+                       totals.max_contact_temperature, side == 0 ? "lower" : "upper", material.temperature)});
+  }
+}
+
+struct Judged
+{
+  std::string_view effect;
+  Documented (*documented)(const Facts&);
+  void (*warn)(const Facts&, const RunTotals&, std::vector<Warning>&);
+};
+
+constexpr std::array judged_effects{
+    Judged{"wear", worn_depth, warn_of_wear},
+    Judged{"current", [](const Facts&) { return contact_resistance; }, warn_of_current}};
+
+} // namespace
+
+std::optional<Documented> documented_of_effect(std::string_view effect, const Facts& facts)
+{
+  for (const Judged& one : judged_effects)
+    if (one.effect == effect)
+      return one.documented(facts);
+  return std::nullopt;
+}
+
+void warn_of_effects(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  for (const Judged& one : judged_effects)
+    if (std::find(facts.effects.begin(), facts.effects.end(), one.effect) != facts.effects.end())
+      one.warn(facts, totals, warnings);
+}
+
+} // namespace brinell::quality
