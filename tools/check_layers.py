@@ -59,7 +59,7 @@ ROOMS = {
 ROOM_OF_HEADER = {
     "halfspace": {"surface_load": "transform"},
     "elastoplastic": {"effects": "interface", "interface": "interface", "settings": "body", "strategy": "increment"},
-    "simulation": {"columns": "plan", "forecast": "plan", "scenario": "plan", "scenarios": "motion", "run": "motion"},
+    "simulation": {"columns": "plan", "forecast": "plan", "scenario": "plan", "surface_fields": "plan", "scenarios": "motion", "run": "motion"},
 }
 
 # Single headers, where a floor may use some of another floor but not all: elastic constants, but no kernels.

@@ -320,9 +320,41 @@ def lines_of(kind: Kind | Scenario | Listed) -> Iterator[str]:
     return rendered_list(kind) if isinstance(kind, Listed) else rendered_kind(kind)
 
 
+def rendered_surface_fields() -> str:
+    """The fields on surfaces that not every run has, as attributes of what Python reads."""
+    of_contact = [field for field in _core.contact_fields() if field.needs]
+    of_body = [field for field in _core.body_surface_fields() if field.needs not in ("strain", "texture")]
+    names = [quoted(field.name) for field in of_body if field.lowers_surface]
+    lowering = f"{', '.join(names)}{',' * (len(names) == 1)}"
+
+    def rendered_class(name: str, text: str, fields: list[_core.SurfaceField]) -> Iterator[str]:
+        yield from ("@dataclass(frozen=True, eq=False, kw_only=True)", f"class {name}:", f'    """{text}"""', "")
+        for field in fields:
+            yield f"    {field.name}: FloatArray | None = None"
+            yield f'    """{field.text[0].upper()}{field.text[1:]} [{field.unit.replace("degC", "deg C")}]."""'
+
+    lines = [
+        "# SPDX-License-Identifier: BSD-3-Clause",
+        MARK,
+        '"""Fields on surfaces that exist where something acts; None: it does not act, or the field is not stored."""',
+        *("", "from __future__ import annotations", "", "from dataclasses import dataclass", ""),
+        *("import numpy as np", "from numpy.typing import NDArray", ""),
+        '__all__ = ["LOWERING", "FieldsOfBody", "FieldsOfContact"]',
+        *("", "FloatArray = NDArray[np.float64]", ""),
+        f"LOWERING = ({lowering})",
+        '"""Depths by which the surface of a body lies deeper than before."""',
+        *("", ""),
+        *rendered_class("FieldsOfContact", "Fields on the contact; (ny, nx) arrays.", of_contact),
+        *("", ""),
+        *rendered_class("FieldsOfBody", "Fields on the surface of a body; (ny, nx) arrays.", of_body),
+    ]
+    return "\n".join(lines) + "\n"
+
+
 def main() -> int:
     """Writes the files, or with --check only tells which of them are not up to date."""
     texts = {PACKAGE / path: rendered(path) for path in FILES}
+    texts[PACKAGE / "results" / "surface_fields.py"] = rendered_surface_fields()
     outdated = [path for path, text in texts.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
     is_check = sys.argv[1:] == ["--check"]
     for path in outdated:

@@ -15,6 +15,7 @@
 #include "brinell/io/versions.hpp"
 #include "brinell/options.hpp"
 #include "brinell/run_case.hpp"
+#include "brinell/simulation/surface_fields.hpp"
 
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
@@ -140,6 +141,35 @@ void bind_columns(nb::module_& m)
       .def_ro("text", &io::NamedNumber::text)
       .def_prop_ro("is_integer", [](const io::NamedNumber& n) { return std::holds_alternative<int>(n.value); });
   m.def("columns", &io::all_columns);
+  nb::class_<elastoplastic::EffectColumn>(m, "EffectColumn")
+      .def_ro("effect", &elastoplastic::EffectColumn::effect)
+      .def_prop_ro("name", [](const elastoplastic::EffectColumn& total) { return total.column.name; })
+      .def_prop_ro("may_be_infinite",
+                   [](const elastoplastic::EffectColumn& total) { return total.traits.may_be_infinite; });
+  m.def("effect_columns",
+        [] { return std::vector(elastoplastic::effect_columns.begin(), elastoplastic::effect_columns.end()); });
+  using simulation::SurfaceField;
+  nb::class_<SurfaceField>(m, "SurfaceField")
+      .def_ro("name", &SurfaceField::name)
+      .def_ro("unit", &SurfaceField::unit)
+      .def_ro("text", &SurfaceField::text)
+      .def_ro("needs", &SurfaceField::needs)
+      .def_ro("elsewhere", &SurfaceField::elsewhere)
+      .def_ro("lowers_surface", &SurfaceField::lowers_surface);
+  m.def("contact_fields",
+        []
+        {
+          const simulation::Snapshot none;
+          const auto fields = simulation::surface_fields(none);
+          return std::vector<SurfaceField>(fields.begin(), fields.end());
+        });
+  m.def("body_surface_fields",
+        []
+        {
+          const simulation::BodySnapshot none;
+          const auto fields = simulation::surface_fields(none);
+          return std::vector<SurfaceField>(fields.begin(), fields.end());
+        });
 }
 
 /// Height maps of Python, [y, x].

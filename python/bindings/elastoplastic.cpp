@@ -27,6 +27,9 @@ using elastoplastic::BodyState;
 using elastoplastic::BodyView;
 using elastoplastic::Place;
 
+constexpr const elastoplastic::EffectField& worn_depth =
+    elastoplastic::effect_fields[elastoplastic::EffectFieldIndex("worn_depth").value];
+
 std::vector<double> texture(const std::optional<Input>& given, const VolumeGrid& grid, const char* name)
 {
   if (!given)
@@ -229,9 +232,9 @@ void bind_body_state(nb::class_<Pair>& pair)
                 [upper](const CoupledContact& c)
                 {
                   const SurfaceGrid& surface = (upper ? c.upper() : c.lower()).grid().surface;
-                  const auto* wear = c.wear();
-                  return wear != nullptr ? copy_of(wear->depth(upper ? 1 : 0), shape(surface))
-                                         : array(std::vector<double>(surface.size()), shape(surface));
+                  const auto depth = elastoplastic::values_of(worn_depth, c.effects(), upper ? 1 : 0);
+                  return depth.empty() ? array(std::vector<double>(surface.size()), shape(surface))
+                                       : copy_of(depth, shape(surface));
                 });
           },
           "upper"_a)
@@ -242,8 +245,10 @@ void bind_body_state(nb::class_<Pair>& pair)
             return p.read(
                 [upper](const CoupledContact& c)
                 {
-                  const auto* wear = c.wear();
-                  return wear != nullptr ? wear->volume(upper ? 1 : 0) : 0.0;
+                  elastoplastic::EffectTotals totals;
+                  for (const std::unique_ptr<elastoplastic::Effect>& effect : c.effects())
+                    effect->report(totals);
+                  return upper ? totals.worn_volume_upper : totals.worn_volume_lower;
                 });
           },
           "upper"_a)

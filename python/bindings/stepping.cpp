@@ -10,6 +10,7 @@
 #include "brinell/io/summary_json.hpp"
 #include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
+#include "brinell/simulation/surface_fields.hpp"
 
 #include <nanobind/stl/string.h>
 
@@ -105,24 +106,9 @@ public:
     nb::dict result;
     result["x"] = line(s.x0, s.contact.dx, s.contact.nx);
     result["y"] = line(s.y0, s.contact.dy, s.contact.ny);
-    result["pressure"] = array(std::move(s.pressure), shape);
-    result["gap"] = array(std::move(s.gap), shape);
-    const auto add = [&](const char* name, std::vector<double>& field)
-    {
-      if (!field.empty())
-        result[name] = array(std::move(field), shape);
-    };
-    add("shear_x", s.shear[0]);
-    add("shear_y", s.shear[1]);
-    add("slip_x", s.slip[0]);
-    add("slip_y", s.slip[1]);
-    add("slip_path", s.slip_path);
-    add("friction_heat", s.friction_heat);
-    add("temperature_lower", s.temperature[0]);
-    add("temperature_upper", s.temperature[1]);
-    add("heat_flux_lower", s.heat_flux[0]);
-    add("heat_flux_upper", s.heat_flux[1]);
-    add("current_density", s.current_density);
+    for (const auto& field : simulation::surface_fields(s))
+      if (!field.values->empty())
+        result[field.name] = array(std::move(*field.values), shape);
     result["lower"] = body(std::move(s.lower));
     result["upper"] = body(std::move(s.upper));
     return result;
@@ -182,9 +168,8 @@ private:
       if (!values.empty()) // a rigid body has none
         result[name] = array(std::move(values), shape);
     };
-    add("residual_displacement", std::move(b.residual_displacement), {ny, nx});
-    add("worn_depth", std::move(b.worn_depth), {ny, nx});
-    add("height", std::move(b.height), {ny, nx});
+    for (const auto& field : simulation::surface_fields(b))
+      add(field.name, std::move(*field.values), {ny, nx});
     add("equivalent_plastic_strain", std::move(b.equivalent_plastic_strain), {nz, ny, nx});
     add("plastic_strain", joined(b.plastic_strain), {6, nz, ny, nx});
     add("stress", joined(b.stress), {6, nz, ny, nx});

@@ -34,7 +34,8 @@ WornRun<Case> worn(const Case& c)
 /// Volume of the worn depth [m^3].
 inline double worn_volume(const BodySnapshot& body)
 {
-  return std::accumulate(body.worn_depth.begin(), body.worn_depth.end(), 0.0) * body.grid.surface.cell_area();
+  return std::accumulate(body.effect("worn_depth").begin(), body.effect("worn_depth").end(), 0.0) *
+         body.grid.surface.cell_area();
 }
 
 /// Checks that a run that goes on from a checkpoint wears the same to the last digit.
@@ -54,8 +55,8 @@ void expect_taken_up(const Case& c)
     simulation::Run<Case> later(c, {}, &checkpoints[at]);
     while (!later.is_done())
       later.step();
-    EXPECT_EQ(later.snapshot().lower.worn_depth, expected.lower.worn_depth) << at;
-    EXPECT_EQ(later.snapshot().upper.worn_depth, expected.upper.worn_depth) << at;
+    EXPECT_EQ(later.snapshot().lower.effect("worn_depth"), expected.lower.effect("worn_depth")) << at;
+    EXPECT_EQ(later.snapshot().upper.effect("worn_depth"), expected.upper.effect("worn_depth")) << at;
     EXPECT_EQ(later.summary().worn_volume_upper, whole.summary().worn_volume_upper) << at;
     EXPECT_EQ(later.summary().work_of_wear, whole.summary().work_of_wear) << at;
     EXPECT_EQ(later.summary().max_wear_step, whole.summary().max_wear_step) << at;

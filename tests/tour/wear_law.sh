@@ -7,9 +7,8 @@ shift 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r "$source/include" "$source/src" "$work"
-mkdir -p "$work/docs" "$work/python" "$work/tests"
+mkdir -p "$work/docs" "$work/tests"
 cp -r "$source/docs/reference" "$work/docs"
-cp -r "$source/python/brinell" "$work/python"
 cp -r "$source/tests/unit" "$source/tests/support" "$work/tests"
 cd "$work"
 patch --strip=0 --forward --no-backup-if-mismatch <"$source/docs/developer/wear-law.patch"
@@ -22,7 +21,6 @@ touched=$(sed -n 's/^+++ \([^ ]*\).*/\1/p' "$source/docs/developer/wear-law.patc
 for file in $(grep '\.cpp$' <<<"$touched"); do
   "$compiler" "${flags[@]}" -fsyntax-only "$file"
 done
-python3 -m py_compile $(grep '\.py$' <<<"$touched")
 
 cat >law.cpp <<'END'
 #include "brinell/simulation/scenarios.hpp"

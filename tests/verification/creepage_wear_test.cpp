@@ -43,7 +43,8 @@ TEST(CreepageWear, IsTheWorkOfCartersForce)
     const auto at = [&](const BodySnapshot& body)
     {
       const SurfaceGrid& g = body.grid.surface;
-      return body.worn_depth[static_cast<std::size_t>(std::lround(0.5 * (g.nx - 1) + 6.0 * Cylinder::a / g.dx))];
+      return body.effect(
+          "worn_depth")[static_cast<std::size_t>(std::lround(0.5 * (g.nx - 1) + 6.0 * Cylinder::a / g.dx))];
     };
     const simulation::Snapshot& end = run.summary.final_state;
     std::printf("worn depth of the track, %g cells: %.5f of that of Carter's force, upper surface %.5f\n", cells,

@@ -75,7 +75,7 @@ double depth_at(const BodySnapshot& body, double x, double y)
   const SurfaceGrid& g = body.grid.surface;
   const int i = static_cast<int>(std::lround((x - body.x0) / g.dx));
   const int j = static_cast<int>(std::lround((y - body.y0) / g.dy));
-  return body.worn_depth.at(g.index(i, j));
+  return body.effect("worn_depth").at(g.index(i, j));
 }
 
 TEST(TuggingWear, OfLittleIsThatOfHertzOnTheWay)
@@ -129,7 +129,7 @@ TEST(TuggingWear, OfMuchIsTheShapeOfTheOther)
       {
         const double s = body.x0 + i * g.dx, y = body.y0 + j * g.dy;
         const double cut = std::max(0.0, interference - 0.5 * s * s / upper_radius - 0.5 * y * y / equivalent);
-        largest = std::max(largest, std::abs(body.worn_depth[g.index(i, j)] - cut) / interference);
+        largest = std::max(largest, std::abs(body.effect("worn_depth")[g.index(i, j)] - cut) / interference);
       }
     std::printf("  %2d cells per radius: largest error of the depth over the interference %.4f\n", cells, largest);
     if (cells == 24)

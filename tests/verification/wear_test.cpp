@@ -150,7 +150,7 @@ TEST(Wear, OfPartialSlipIsARing)
     for (int i = 0; i < grid.nx; ++i)
     {
       const double r = std::hypot(body.x0 + i * grid.dx, body.y0 + j * grid.dy);
-      const double depth = body.worn_depth[grid.index(i, j)];
+      const double depth = body.effect("worn_depth")[grid.index(i, j)];
       if (r < stuck - grid.dx || r > m.radius + 1.5 * grid.dx)
       {
         EXPECT_EQ(depth, 0.0) << r / m.radius;

@@ -106,12 +106,12 @@ TEST(TuggingWear, OfEqualBodiesIsTheSame)
   for (const WornRun<TuggingCase>* r : {&one, &both})
   {
     const BodySnapshot &lower = r->summary.final_state.lower, &upper = r->summary.final_state.upper;
-    ASSERT_EQ(lower.worn_depth.size(), upper.worn_depth.size());
+    ASSERT_EQ(lower.effect("worn_depth").size(), upper.effect("worn_depth").size());
     const SurfaceGrid& grid = lower.grid.surface;
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i)
-        EXPECT_NEAR(lower.worn_depth[grid.index(i, j)], upper.worn_depth[grid.index(grid.nx - 1 - i, j)],
-                    1e-4 * r->summary.max_worn_depth_lower);
+        EXPECT_NEAR(lower.effect("worn_depth")[grid.index(i, j)],
+                    upper.effect("worn_depth")[grid.index(grid.nx - 1 - i, j)], 1e-4 * r->summary.max_worn_depth_lower);
     EXPECT_EQ(r->summary.worn_volume_lower, r->summary.worn_volume_upper);
   }
   for (std::size_t i = 0; i < one.history.size(); ++i)
@@ -138,7 +138,7 @@ TEST(TuggingWear, OfNearlyNothingIsTheRunWithout)
   for (std::size_t i = 0; i < without.history.size(); ++i)
     EXPECT_EQ(nearly.history[i].F_X, without.history[i].F_X) << i;
   EXPECT_GT(nearly.summary.worn_volume_lower, 0.0);
-  EXPECT_TRUE(without.summary.final_state.lower.worn_depth.empty());
+  EXPECT_TRUE(without.summary.final_state.lower.effect("worn_depth").empty());
 }
 
 // The work of the pressure on what is worn is a large part of the whole: left out, the balance would be off by as much.

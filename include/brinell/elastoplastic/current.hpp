@@ -42,6 +42,32 @@ struct CurrentTotals
   double max_contact_temperature = 0.0; ///< [deg C]
 };
 
+inline constexpr auto current_columns = columns_of<CurrentTotals>(
+    "current", {.acts_at_rest = true, .may_be_infinite = true},
+    {
+        {"resistance_ohm",
+         {"contact_resistance", "ohm", &CurrentTotals::contact_resistance,
+          "resistance between points far from the contact in both bodies; 0 unless both conduct"}},
+        {"current_A", {"current", "A", &CurrentTotals::current, "electric current"}},
+        {"voltage_V", {"voltage", "V", &CurrentTotals::voltage, "voltage between points far from the contact"}},
+        {"power_W", {"electric_power", "W", &CurrentTotals::electric_power, "voltage times current"}},
+        {"max_density_A_m2",
+         {"max_current_density", "A/m^2", &CurrentTotals::max_current_density,
+          "largest density of the current, mean over a cell"}},
+        {"spots", {"current_spots", "1", &CurrentTotals::current_spots, "patches of the contact"}},
+        {"largest_spot_share",
+         {"largest_spot_share", "1", &CurrentTotals::largest_spot_share, "largest share of a patch in the current"}},
+        {"temperature_degC",
+         {"contact_temperature", "degC", &CurrentTotals::contact_temperature,
+          "largest temperature by the current alone, steady"}},
+        {"min_resistance_ohm",
+         {"min_contact_resistance", "ohm", &CurrentTotals::min_contact_resistance,
+          "smallest resistance of the contact since the start"}},
+        {"max_temperature_degC",
+         {"max_contact_temperature", "degC", &CurrentTotals::max_contact_temperature,
+          "largest temperature by the current since the start"}},
+    });
+
 /// Current through the contact at the end of each increment. It acts on nothing else.
 class Current final : public Effect
 {
@@ -109,5 +135,12 @@ private:
   std::vector<double> film_; ///< [ohm m^2], on the contact grid; empty: none
   State state_;
 };
+
+inline constexpr std::array current_fields{EffectField{.effect = "current",
+                                                       .name = "current_density",
+                                                       .unit = "A/m^2",
+                                                       .text = "density of the electric current, mean over each cell",
+                                                       .values = [](const Effect& current, std::size_t)
+                                                       { return static_cast<const Current&>(current).density(); }}};
 
 } // namespace brinell::elastoplastic

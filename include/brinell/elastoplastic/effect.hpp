@@ -4,7 +4,10 @@
 #include "brinell/elastoplastic/interface.hpp"
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/column.hpp"
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -87,6 +90,53 @@ public:
   virtual void exchange(Archive& archive) = 0;
   /// Takes over the history of the same effect on smaller grids with the same centres.
   virtual void embed(const Effect& smaller) = 0;
+};
+
+/// When an effect acts, and which values its totals may take.
+struct EffectTraits
+{
+  bool acts_at_rest = false;    ///< acts between surfaces that never slide, too
+  bool may_be_infinite = false; ///< totals may be infinite, as without contact, or not a number
+};
+
+/// A total of an effect in histories and summaries.
+/// @tparam Totals  the totals of the effect, or those of all effects
+template <typename Totals>
+struct EffectColumnOf
+{
+  std::string_view in_summary{}; ///< name in the part of the summary that is called like the effect
+  Column<Totals> column{};
+  std::string_view effect{};
+  EffectTraits traits{};
+};
+
+/// The columns of an effect.
+template <typename Totals, std::size_t count>
+constexpr auto columns_of(std::string_view effect, EffectTraits traits, const EffectColumnOf<Totals> (&columns)[count])
+{
+  std::array<EffectColumnOf<Totals>, count> all = std::to_array(columns);
+  for (EffectColumnOf<Totals>& column : all)
+  {
+    column.effect = effect;
+    column.traits = traits;
+  }
+  return all;
+}
+
+/// A field of an effect in snapshots and results.
+struct EffectField
+{
+  enum class On
+  {
+    contact, ///< on the contact grid
+    bodies   ///< of each surface, on its own grid
+  };
+  std::string_view effect{};
+  const char *name = nullptr, *unit = nullptr, *text = nullptr;
+  On on = On::contact;
+  bool lowers_surface = false; ///< a depth by which the surface lies deeper than before
+  /// @param side  lower (0) or upper (1) surface, of a field of the bodies
+  std::span<const double> (*values)(const Effect&, std::size_t side) = nullptr;
 };
 
 } // namespace brinell::elastoplastic

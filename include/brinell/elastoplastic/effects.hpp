@@ -3,15 +3,17 @@
 
 #include "brinell/elastoplastic/current.hpp"
 #include "brinell/elastoplastic/wear.hpp"
-#include "brinell/foundation/column.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string_view>
 #include <vector>
 
-/// The effects that the engine has. A new one is a member of `Effects`, a base of `EffectTotals` with its columns, and a line in
-/// `make_effects`. Histories, summaries, checkpoints and the increment loop over them.
+/// The effects that the engine has, each described beside its physics: settings, totals, columns, fields. A new one is a member of
+/// `Effects`, a base of `EffectTotals`, part of `effect_columns` and `effect_fields`, and a line of the table in effects.cpp.
+/// Histories, summaries, result files, Python, checkpoints and the increment loop over them: docs/developer/effects.md.
 namespace brinell::elastoplastic
 {
 
@@ -39,58 +41,57 @@ struct EffectTotals : WearTotals, CurrentTotals
 };
 
 /// A total in files.
-struct EffectColumn
-{
-  std::string_view effect;     ///< part of the summary
-  std::string_view in_summary; ///< name there
-  Column<EffectTotals> column;
-  bool acts_at_rest = false; ///< acts between surfaces that never slide, too
-};
+using EffectColumn = EffectColumnOf<EffectTotals>;
 
-template <typename Member>
-constexpr EffectColumn of_current(std::string_view in_summary, std::string_view name, std::string_view unit,
-                                  Member member, std::string_view text)
+namespace detail
 {
-  return {"current", in_summary, {name, unit, member, text}, true};
+
+template <typename Item, std::size_t... sizes>
+constexpr auto joined(const std::array<Item, sizes>&... parts)
+{
+  std::array<Item, (sizes + ...)> all{};
+  auto next = all.begin();
+  ((next = std::copy(parts.begin(), parts.end(), next)), ...);
+  return all;
 }
 
-inline constexpr std::array<EffectColumn, 16> effect_columns{{
-    {"wear",
-     "volume_lower_m3",
-     {"worn_volume_lower", "m^3", &EffectTotals::worn_volume_lower, "worn volume of the lower body"}},
-    {"wear",
-     "volume_upper_m3",
-     {"worn_volume_upper", "m^3", &EffectTotals::worn_volume_upper, "worn volume of the upper body"}},
-    {"wear",
-     "max_depth_lower_m",
-     {"max_worn_depth_lower", "m", &EffectTotals::max_worn_depth_lower, "largest worn depth of the lower surface"}},
-    {"wear",
-     "max_depth_upper_m",
-     {"max_worn_depth_upper", "m", &EffectTotals::max_worn_depth_upper, "largest worn depth of the upper surface"}},
-    {"wear",
-     "max_depth_of_an_increment_m",
-     {"max_wear_step", "m", &EffectTotals::max_wear_step,
-      "largest worn depth of both surfaces together in one increment so far"}},
-    {"wear",
-     "work_J",
-     {"work_of_wear", "J", &EffectTotals::work_of_wear, "work of the pressure on the worn depth since the start"}},
-    of_current("resistance_ohm", "contact_resistance", "ohm", &EffectTotals::contact_resistance,
-               "resistance between points far from the contact in both bodies; 0 unless both conduct"),
-    of_current("current_A", "current", "A", &EffectTotals::current, "electric current"),
-    of_current("voltage_V", "voltage", "V", &EffectTotals::voltage, "voltage between points far from the contact"),
-    of_current("power_W", "electric_power", "W", &EffectTotals::electric_power, "voltage times current"),
-    of_current("max_density_A_m2", "max_current_density", "A/m^2", &EffectTotals::max_current_density,
-               "largest density of the current, mean over a cell"),
-    of_current("spots", "current_spots", "1", &EffectTotals::current_spots, "patches of the contact"),
-    of_current("largest_spot_share", "largest_spot_share", "1", &EffectTotals::largest_spot_share,
-               "largest share of a patch in the current"),
-    of_current("temperature_degC", "contact_temperature", "degC", &EffectTotals::contact_temperature,
-               "largest temperature by the current alone, steady"),
-    of_current("min_resistance_ohm", "min_contact_resistance", "ohm", &EffectTotals::min_contact_resistance,
-               "smallest resistance of the contact since the start"),
-    of_current("max_temperature_degC", "max_contact_temperature", "degC", &EffectTotals::max_contact_temperature,
-               "largest temperature by the current since the start"),
-}};
+template <typename Totals, std::size_t count>
+constexpr auto of_all(const std::array<EffectColumnOf<Totals>, count>& columns)
+{
+  std::array<EffectColumn, count> all{};
+  for (std::size_t i = 0; i < count; ++i)
+    all[i] = {columns[i].in_summary, columns[i].column, columns[i].effect, columns[i].traits};
+  return all;
+}
+
+} // namespace detail
+
+inline constexpr auto effect_columns = detail::joined(detail::of_all(wear_columns), detail::of_all(current_columns));
+inline constexpr auto effect_fields = detail::joined(wear_fields, current_fields);
+
+/// Place of a field in `effect_fields`, from its name: another name does not compile.
+struct EffectFieldIndex
+{
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  consteval EffectFieldIndex(const char* name)
+  {
+    while (std::string_view(effect_fields[value].name) != name) // NOLINT: past the end there is no constant
+      ++value;
+  }
+  std::size_t value = 0;
+};
+
+/// Fields of the effects on one grid, in the order of `effect_fields`; empty: not on this grid, or without the effect.
+struct EffectFields
+{
+  std::array<std::vector<double>, effect_fields.size()> of_effects{};
+
+  [[nodiscard]] const std::vector<double>& effect(EffectFieldIndex field) const { return of_effects[field.value]; }
+};
+
+/// Values of a field of an effect; empty without the effect.
+[[nodiscard]] std::span<const double> values_of(const EffectField& field,
+                                                std::span<const std::unique_ptr<Effect>> effects, std::size_t side);
 
 /// Effects that act, in the order in which they do.
 /// @param compliance  of the contact; must outlive the effects

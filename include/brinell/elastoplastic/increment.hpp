@@ -107,10 +107,6 @@ public:
   [[nodiscard]] const Heating* heating() const { return between_->heating.get(); }
   /// The effects that act between the surfaces.
   [[nodiscard]] std::span<const std::unique_ptr<Effect>> effects() const { return between_->effects; }
-  /// Material lost by both surfaces; nullptr without wear.
-  [[nodiscard]] const Wear* wear() const;
-  /// Electric current between the bodies; nullptr unless both conduct.
-  [[nodiscard]] const Current* current() const;
   /// Mechanical work of thermal expansion since the start, on the pressure and on the plastic strain [J].
   [[nodiscard]] double expansion_work() const;
   /// Elastic contact stiffness: change of load per change of approach, without yielding [N/m]: contact::stiffness.

@@ -82,6 +82,24 @@ struct WearTotals
   double work_of_wear = 0.0;  ///< work of the pressure on the worn depth since the start [J]
 };
 
+inline constexpr auto wear_columns = columns_of<WearTotals>(
+    "wear", {},
+    {
+        {"volume_lower_m3",
+         {"worn_volume_lower", "m^3", &WearTotals::worn_volume_lower, "worn volume of the lower body"}},
+        {"volume_upper_m3",
+         {"worn_volume_upper", "m^3", &WearTotals::worn_volume_upper, "worn volume of the upper body"}},
+        {"max_depth_lower_m",
+         {"max_worn_depth_lower", "m", &WearTotals::max_worn_depth_lower, "largest worn depth of the lower surface"}},
+        {"max_depth_upper_m",
+         {"max_worn_depth_upper", "m", &WearTotals::max_worn_depth_upper, "largest worn depth of the upper surface"}},
+        {"max_depth_of_an_increment_m",
+         {"max_wear_step", "m", &WearTotals::max_wear_step,
+          "largest worn depth of both surfaces together in one increment so far"}},
+        {"work_J",
+         {"work_of_wear", "J", &WearTotals::work_of_wear, "work of the pressure on the worn depth since the start"}},
+    });
+
 /// Worn depth of both surfaces, on their own material grids, and the wear of the current increment.
 ///
 /// The worn depth of an increment follows from the pressure at its end (backward Euler) and is solved together with it: for the
@@ -157,5 +175,14 @@ private:
   std::vector<double> compliance_, pressure_before_; ///< of the current increment
   std::vector<double> from_onset_; ///< depth lost in it by both surfaces whatever the pressure at its end [m]
 };
+
+inline constexpr std::array wear_fields{EffectField{.effect = "wear",
+                                                    .name = "worn_depth",
+                                                    .unit = "m",
+                                                    .text = "depth that the surface has lost by wear since the start",
+                                                    .on = EffectField::On::bodies,
+                                                    .lowers_surface = true,
+                                                    .values = [](const Effect& wear, std::size_t side)
+                                                    { return static_cast<const Wear&>(wear).depth(side); }}};
 
 } // namespace brinell::elastoplastic

@@ -76,7 +76,8 @@ template <typename Record, std::size_t N>
 constexpr auto row(const Column<Record> (&beginning)[N])
 {
   constexpr bool is_heated = std::derived_from<Record, HeatedRecord>;
-  constexpr auto may_act = [](const elastoplastic::EffectColumn& column) { return is_heated || column.acts_at_rest; };
+  constexpr auto may_act = [](const elastoplastic::EffectColumn& column)
+  { return is_heated || column.traits.acts_at_rest; };
   constexpr auto& effects = elastoplastic::effect_columns;
   constexpr std::size_t middle = (is_heated ? heated.size() : 0) +
                                  static_cast<std::size_t>(std::count_if(effects.begin(), effects.end(), may_act));

@@ -205,10 +205,10 @@ struct GridChange
 using TensorField = std::array<std::vector<double>, 6>;
 
 /// Fields of one body on its own material grid.
-struct BodySnapshot
+struct BodySnapshot : elastoplastic::EffectFields
 {
   VolumeGrid grid;
-  bool is_rigid = false;      ///< then it has no fields but worn depth and height
+  bool is_rigid = false;      ///< then it has no fields but its height and those of effects
   double x0 = 0.0, y0 = 0.0;  ///< centre of cell (0, 0) in the body's surface coordinates [m]
   double top = 0.0;           ///< depth of the upper side of layer 0 [m]; not 0 only in a part of the fields
   double contact_x = 0.0;     ///< current position of the contact's centre [m]
@@ -216,15 +216,14 @@ struct BodySnapshot
   TensorField plastic_strain; ///< [-]
   std::vector<double> equivalent_plastic_strain; ///< [-]
   std::vector<double> residual_displacement;     ///< of the surface, positive into the body [m]
-  std::vector<double> worn_depth;                ///< depth lost by the surface since the start [m]; empty without wear
-  /// Current height of a textured surface: texture minus residual displacement and worn depth, positive out of the body [m];
-  /// empty without a texture.
+  /// Current height of a textured surface: texture minus residual displacement and depths of effects, positive out of the body
+  /// [m]; empty without a texture.
   std::vector<double> height;
   std::vector<double> temperature; ///< [deg C]; empty without heat
 };
 
 /// Fields of one step.
-struct Snapshot
+struct Snapshot : elastoplastic::EffectFields
 {
   SurfaceGrid contact;
   double x0 = 0.0, y0 = 0.0;    ///< centre of contact cell (0, 0) relative to the contact's centre [m]
@@ -239,7 +238,6 @@ struct Snapshot
   /// For the lower and the upper surface; empty without heat.
   std::array<std::vector<double>, 2> temperature; ///< [deg C]
   std::array<std::vector<double>, 2> heat_flux;   ///< into the body, in the last step [W/m^2]
-  std::vector<double> current_density;            ///< [A/m^2]; empty unless both bodies conduct
   BodySnapshot lower, upper;
 };
 

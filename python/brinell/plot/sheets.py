@@ -12,6 +12,7 @@ from matplotlib.ticker import MaxNLocator
 from brinell.plot import style
 from brinell.plot.scales import Scale
 from brinell.results import ContactFields, Snapshot
+from brinell.results.snapshots import CONTACT_FIELDS
 from brinell.scenarios import SCENARIOS
 
 __all__ = ["Range", "Sheet", "enlarged", "few_ticks", "lying", "sheet_of"]
@@ -73,18 +74,12 @@ def sheet_of(across: Range, upward: Range) -> Sheet:
 
 
 def lying(contact: ContactFields, sheet: Sheet) -> ContactFields:
-    """Pressure, gap and density of the current with y' to the right, if the sheet is turned."""
+    """The fields with y' to the right, if the sheet is turned."""
     if not sheet.is_turned:
         return contact
-    density = contact.current_density
-    return replace(
-        contact,
-        x=contact.y,
-        y=contact.x,
-        pressure=contact.pressure.T,
-        gap=contact.gap.T,
-        current_density=None if density is None else density.T,
-    )
+    values = {name: getattr(contact, name) for name in CONTACT_FIELDS}
+    turned = {name: field.T for name, field in values.items() if field is not None}
+    return replace(contact, x=contact.y, y=contact.x, **turned)
 
 
 def enlarged(label: str, factor: float) -> str:

@@ -14,6 +14,7 @@ from brinell.results.errors import listed
 from brinell.results.snapshots import (
     COMPONENTS,
     CONTACT_FIELDS,
+    ON_BODY,
     TENSORS,
     BodyFields,
     ContactFields,
@@ -43,7 +44,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     _require_known(fields)
     blocks = pyvista.MultiBlock()
     for name, body, below in (("lower", snapshot.lower, True), ("upper", snapshot.upper, False)):
-        if body.is_rigid and body.worn_depth is None and body.height is None:
+        if body.is_rigid and not any(_of_surface(body, name).size for name in (*ON_BODY, "height")):
             continue
         left = body.x[0] - (body.contact_x if snapshot.in_contact else 0.0)
         volume = {} if body.is_rigid else dict(_volume_fields(body, fields))
@@ -68,7 +69,7 @@ def blocks_of(snapshot: Snapshot, fields: Sequence[str] | None) -> pyvista.Multi
     return blocks
 
 
-_SURFACE = ("residual_displacement", "worn_depth", "height")
+_SURFACE = ("residual_displacement", "height", *ON_BODY)
 _VOLUME = (
     "von_mises_stress",
     "equivalent_plastic_strain",

@@ -33,28 +33,11 @@ _OF_HEAT = (
     "heat_of_plastic_work",
     "work_of_expansion",
 )
-_OF_WEAR = (
-    "worn_volume_lower",
-    "worn_volume_upper",
-    "max_worn_depth_lower",
-    "max_worn_depth_upper",
-    "max_wear_step",
-    "work_of_wear",
+_OF_EFFECTS = tuple(column.name for column in _core.effect_columns())
+NOT_ALWAYS_FINITE = frozenset(
+    (*OF_A_PERIOD, *(column.name for column in _core.effect_columns() if column.may_be_infinite))
 )
-_OF_CURRENT = (
-    "contact_resistance",
-    "current",
-    "voltage",
-    "electric_power",
-    "max_current_density",
-    "current_spots",
-    "largest_spot_share",
-    "contact_temperature",
-    "min_contact_resistance",
-    "max_contact_temperature",
-)
-NOT_ALWAYS_FINITE = frozenset((*OF_A_PERIOD, *_OF_CURRENT))
-"""Columns that may be infinite or NaN: of a period, and of a current without contact or without a steady state."""
+"""Columns that may be infinite or NaN: of a period, and of effects such as a current without contact."""
 
 _ADDED_LATER = (
     *("height", "friction", "contact_cells", "patches", "largest_patch"),
@@ -62,8 +45,7 @@ _ADDED_LATER = (
     *_OF_FRICTION,
     *_OF_STICK_AND_SLIP,
     *_OF_HEAT,
-    *_OF_WEAR,
-    *_OF_CURRENT,
+    *_OF_EFFECTS,
 )
 """Columns that the histories of older versions do not have."""
 

@@ -18,6 +18,7 @@ from brinell.results.errors import RunError, listed, reports_damage
 from brinell.results.labelled import Axis, Labelled
 from brinell.results.result_file import ResultFile, Source
 from brinell.results.snapshots import COMPONENTS, CONTACT_FIELDS, TENSORS, component_of, counts_of, how_to_store
+from brinell.results.surface_fields import LOWERING
 
 __all__ = ["CONTACT_FIELDS", "field_names", "labelled_field"]
 
@@ -155,7 +156,7 @@ def _on_grid(state: h5py.Group, body: str, name: str, data: h5py.Dataset, grid: 
         return data
     spacing, origin = state[body].attrs["spacing"], state[body].attrs["origin"]
     first = [round((origin[i] - axis[0]) / spacing[i]) for i, axis in enumerate(reversed(grid))][::-1]
-    is_none = "plastic_strain" in name or name == "worn_depth"
+    is_none = "plastic_strain" in name or name in LOWERING
     whole = np.full([len(axis) for axis in grid], 0.0 if is_none else np.nan)
     part = tuple(slice(start, start + count) for start, count in zip(first, data.shape, strict=True))
     # A region beyond a grid that had not grown yet is the nearest cell of that one, and not of this one.

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import partial
 
 import h5py
@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 from brinell._names import did_you_mean
 from brinell._reprs import cells
 from brinell.results.errors import listed
+from brinell.results.surface_fields import LOWERING, FieldsOfBody, FieldsOfContact
 from brinell.scenarios import Scenario
 
 __all__ = [
     "COMPONENTS",
     "CONTACT_FIELDS",
+    "ON_BODY",
     "TENSORS",
     "BodyFields",
     "ContactFields",
@@ -36,11 +38,12 @@ FloatArray = NDArray[np.float64]
 COMPONENTS = ("xx", "yy", "zz", "yz", "xz", "xy")
 """Components of a symmetric tensor, in order."""
 
-_OF_FRICTION = ("shear_x", "shear_y", "slip_x", "slip_y", "slip_path", "friction_heat")
-_OF_HEAT = ("temperature_lower", "temperature_upper", "heat_flux_lower", "heat_flux_upper")
-_OF_EFFECTS = (*_OF_FRICTION, *_OF_HEAT, "current_density")
-CONTACT_FIELDS = ("pressure", "gap", *_OF_EFFECTS)
-"""Fields of the contact, on the surface of the lower body; after the gap those of friction, heat and current."""
+_IN_CONTACT = tuple(field.name for field in fields(FieldsOfContact))
+CONTACT_FIELDS = ("pressure", "gap", *_IN_CONTACT)
+"""Fields of the contact, on the surface of the lower body; after the gap those of friction, heat and effects."""
+
+ON_BODY = tuple(field.name for field in fields(FieldsOfBody))
+"""Fields of effects on the surface of a body; they also exist for rigid bodies."""
 
 TENSORS = ("plastic_strain", "stress")
 """Tensor fields with six components."""
@@ -106,7 +109,7 @@ class TensorField(Mapping[str, FloatArray]):
 
 
 @dataclass(frozen=True, eq=False)
-class ContactFields:
+class ContactFields(FieldsOfContact):
     """Contact fields in the frame that moves with the contact, at cell centres; (ny, nx) arrays."""
 
     x: FloatArray
@@ -117,35 +120,13 @@ class ContactFields:
     """Contact pressure, positive in compression [Pa]."""
     gap: FloatArray
     """Gap between the deformed surfaces, zero in contact [m]."""
-    shear_x: FloatArray | None = None
-    """Shear on the lower body along x [Pa]. This and the following fields are None if they are not stored."""
-    shear_y: FloatArray | None = None
-    """Shear on the lower body along y [Pa]."""
-    slip_x: FloatArray | None = None
-    """Slip along x of the upper surface relative to the lower one since the start [m]."""
-    slip_y: FloatArray | None = None
-    """Slip along y since the start [m]."""
-    slip_path: FloatArray | None = None
-    """Length of the slip path since the start [m]."""
-    friction_heat: FloatArray | None = None
-    """Energy dissipated by friction per area since the start [J/m^2]."""
-    temperature_lower: FloatArray | None = None
-    """Temperature of the lower surface [deg C]."""
-    temperature_upper: FloatArray | None = None
-    """Temperature of the upper surface [deg C]."""
-    heat_flux_lower: FloatArray | None = None
-    """Heat flux into the lower body in this step [W/m^2]."""
-    heat_flux_upper: FloatArray | None = None
-    """Heat flux into the upper body in this step [W/m^2]."""
-    current_density: FloatArray | None = None
-    """Density of the electric current, mean over each cell [A/m^2]."""
 
     def __repr__(self) -> str:
         return f"<ContactFields {cells(self.pressure.shape)}>"
 
 
 @dataclass(frozen=True, eq=False)
-class BodyFields:
+class BodyFields(FieldsOfBody):
     """Fields of one body on its own grid, at cell centres; (nz, ny, nx) or (ny, nx) arrays, empty for a rigid body."""
 
     x: FloatArray
@@ -165,8 +146,6 @@ class BodyFields:
     neither of which can yield unless the case asks for it."""
     von_mises_stress: FloatArray | None
     """(nz, ny, nx) von Mises stress of contact pressure and plastic strain together [Pa]; None if it is not stored."""
-    worn_depth: FloatArray | None = None
-    """(ny, nx) depth removed by wear since the start [m]; None without wear. It also exists for rigid bodies."""
     temperature: FloatArray | None = None
     """(nz, ny, nx) temperature [deg C]; None if friction does not heat the body, or it is known at the surface only."""
     height: FloatArray | None = None
@@ -202,7 +181,11 @@ class BodyFields:
         if self.height is None or not (self.is_rigid or self.has("residual_displacement")):
             return None
         before = self.height if self.is_rigid else self.height + self.residual_displacement
-        return before if self.worn_depth is None else before + self.worn_depth
+        for name in LOWERING:
+            lost: FloatArray | None = getattr(self, name)
+            if lost is not None:
+                before = before + lost
+        return before
 
     def has(self, name: str) -> bool:
         """Whether a field such as "residual_displacement" or "stress" is stored, as far as it exists."""
@@ -257,8 +240,8 @@ class Snapshot:
 
 _SCALARS = (
     "residual_displacement",
-    "worn_depth",
     "height",
+    *ON_BODY,
     "equivalent_plastic_strain",
     "von_mises_stress",
     "temperature",
@@ -313,7 +296,7 @@ def _contact(group: h5py.Group) -> ContactFields:
         y=_axis(origin[1], spacing[1], ny),
         pressure=pressure,
         gap=np.asarray(group["gap"][()], dtype=np.float64),
-        **{name: np.asarray(group[name][()], dtype=np.float64) for name in _OF_EFFECTS if name in group},
+        **{name: np.asarray(group[name][()], dtype=np.float64) for name in _IN_CONTACT if name in group},
     )
 
 
@@ -328,7 +311,8 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
     residual = read("residual_displacement")
     strain = read("equivalent_plastic_strain")
     von_mises = read("von_mises_stress")
-    worn = read("worn_depth")
+    of_effects = {name: read(name) for name in ON_BODY}
+    worn = next((values for values in of_effects.values() if values is not None), None)
     height = read("height")
     says = "is_rigid" in group.attrs  # older results store all fields that exist
     if says:
@@ -350,7 +334,7 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
         stored=frozenset(group) if says else None,
         is_rigid=is_rigid,
         von_mises_stress=von_mises,
-        worn_depth=worn,
+        **of_effects,
         temperature=read("temperature"),
         height=height,
         plastic_strain=components("plastic_strain"),

@@ -42,25 +42,6 @@ const PartialSlip* CoupledContact::partial_slip() const
   return dynamic_cast<const PartialSlip*>(interface());
 }
 
-template <typename Kind>
-const Kind* effect_of_kind(std::span<const std::unique_ptr<Effect>> effects)
-{
-  for (const std::unique_ptr<Effect>& one : effects)
-    if (const auto* found = dynamic_cast<const Kind*>(one.get()))
-      return found;
-  return nullptr;
-}
-
-const Wear* CoupledContact::wear() const
-{
-  return effect_of_kind<Wear>(parts_->effects);
-}
-
-const Current* CoupledContact::current() const
-{
-  return effect_of_kind<Current>(parts_->effects);
-}
-
 void begin_effects(ContactParts& c)
 {
   const Interaction before = interaction(c);

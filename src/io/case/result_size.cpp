@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_size.hpp"
 
+#include "brinell/simulation/surface_fields.hpp"
 #include "io/results/stored_parts.hpp"
 #include "io/scenarios/scenario_io.hpp"
 
@@ -39,23 +40,51 @@ double stored_steps(const Case& c, const ScenarioPlan& plan)
                     c.scenario);
 }
 
+/// Words for all that acts in a case, so that fields exist: see simulation::SurfaceField::needs.
+struct Acting
+{
+  explicit Acting(const simulation::PairCase& c)
+      : words(elastoplastic::names_of(c, {&c.lower.material, &c.upper.material}))
+  {
+    const bool has_friction = c.friction.coefficient > 0.0;
+    if (has_friction)
+      words.emplace_back("friction");
+    if ((c.lower.material.thermal || c.upper.material.thermal) && (has_friction || c.heat.source.exists()))
+      words.emplace_back("heat");
+  }
+  [[nodiscard]] bool has(std::string_view word) const { return std::ranges::find(words, word) != words.end(); }
+
+  std::vector<std::string_view> words;
+};
+
+/// Number of fields on a surface that exist and are chosen.
+double number_of(const auto& fields, const Acting& acting, const Words& words)
+{
+  return static_cast<double>(std::ranges::count_if(
+      fields, [&](const simulation::SurfaceField& field)
+      { return (field.needs.empty() || acting.has(field.needs)) && chooses(words, field.name); }));
+}
+
 /// Numbers of a body in a state; its grid is taken to lie about the origin of its coordinates.
-double numbers_of_body(const simulation::Numerics& numerics, const simulation::ShapedBody& body, const VolumeGrid& grid,
-                       bool has_heat, const Words& words, const StoredCells& cells)
+double numbers_of_body(const simulation::ShapedBody& body, const VolumeGrid& grid, Acting acting, const Words& words,
+                       const StoredCells& cells)
 {
   const auto chosen = [&](std::string_view field, double count) { return chooses(words, field) ? count : 0.0; };
   const SurfaceGrid& surface = grid.surface;
   const VolumeGrid stored =
       stored_grid(grid, -0.5 * (surface.nx - 1) * surface.dx, -0.5 * (surface.ny - 1) * surface.dy, cells);
   const bool is_rigid = body.material.elastic.is_rigid();
-  const double on_surface = (is_rigid ? 0.0 : chosen("residual_displacement", 1.0)) +
-                            (numerics.wear.wears() ? chosen("worn_depth", 1.0) : 0.0) +
-                            (body.texture.is_smooth() ? 0.0 : chosen("height", 1.0));
+  if (!is_rigid)
+    acting.words.emplace_back("strain");
+  if (!body.texture.is_smooth())
+    acting.words.emplace_back("texture");
+  const simulation::BodySnapshot none;
   const double within = is_rigid ? 0.0
                                  : chosen("stress", 6.0) + chosen("von_mises_stress", 1.0) +
                                        chosen("plastic_strain", 6.0) + chosen("equivalent_plastic_strain", 1.0) +
-                                       (has_heat ? chosen("temperature", 1.0) : 0.0);
-  return on_surface * static_cast<double>(stored.surface.size()) + within * static_cast<double>(stored.size());
+                                       (acting.has("heat") ? chosen("temperature", 1.0) : 0.0);
+  return number_of(simulation::surface_fields(none), acting, words) * static_cast<double>(stored.surface.size()) +
+         within * static_cast<double>(stored.size());
 }
 
 const simulation::Plan& part_of_all(const ScenarioPlan& plan)
@@ -69,24 +98,16 @@ double numbers_of_state(const Case& c, const ScenarioPlan& any_plan, const Words
   return std::visit(
       [&](const auto& scenario)
       {
-        const simulation::Numerics& numerics = scenario;
         const simulation::Plan& plan = part_of_all(any_plan);
-        const bool has_friction = numerics.friction.coefficient > 0.0;
-        const bool has_heat = (scenario.lower.material.thermal || scenario.upper.material.thermal) &&
-                              (has_friction || numerics.heat.source.exists());
-        const bool conducts = scenario.lower.material.electrical && scenario.upper.material.electrical;
-        const auto chosen = [&](bool exists, std::string_view field, double count)
-        { return exists && chooses(words, field) ? count : 0.0; };
-        const double in_contact = 2.0 + chosen(has_friction, "shear_x", 2.0) + chosen(has_friction, "slip_x", 3.0) +
-                                  chosen(has_friction, "friction_heat", 1.0) +
-                                  chosen(has_heat, "temperature_lower", 2.0) +
-                                  chosen(has_heat, "heat_flux_lower", 2.0) + chosen(conducts, "current_density", 1.0);
+        const Acting acting(scenario);
+        const simulation::Snapshot none;
         const double stride = parts.cells.stride;
-        double numbers = in_contact * static_cast<double>(plan.contact.size()) / (stride * stride);
+        double numbers = number_of(simulation::surface_fields(none), acting, words) *
+                         static_cast<double>(plan.contact.size()) / (stride * stride);
         if (parts.bodies != StoredBodies::upper)
-          numbers += numbers_of_body(numerics, scenario.lower, plan.lower, has_heat, words, parts.cells);
+          numbers += numbers_of_body(scenario.lower, plan.lower, acting, words, parts.cells);
         if (parts.bodies != StoredBodies::lower)
-          numbers += numbers_of_body(numerics, scenario.upper, plan.upper, has_heat, words, parts.cells);
+          numbers += numbers_of_body(scenario.upper, plan.upper, acting, words, parts.cells);
         return numbers;
       },
       c.scenario);

@@ -82,12 +82,12 @@ std::vector<double> von_mises_field(const TensorField& stress)
 }
 
 /// Writes those fields on a surface that exist; fields of bodies that stay elastic may be empty.
-void write_fields(const h5::Handle& group, std::span<const SurfaceField> fields, std::span<const std::size_t> shape,
-                  const Form& form)
+void write_fields(const h5::Handle& group, std::span<const simulation::FieldOf<const std::vector<double>>> fields,
+                  std::span<const std::size_t> shape, const Form& form)
 {
-  for (const SurfaceField& field : fields)
-    if (!field.values.empty())
-      h5::write_dataset(group, field.name, field.values, shape, field.unit, field.text,
+  for (const auto& field : fields)
+    if (!field.values->empty())
+      h5::write_dataset(group, field.name, *field.values, shape, field.unit, field.text,
                         form.storage(h5::Storage::deflated), form.precision);
 }
 

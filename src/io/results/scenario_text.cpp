@@ -24,15 +24,33 @@ std::string friction_text(const simulation::RunTotals& s)
   return text + "\n";
 }
 
-/// Line about wear; empty without wear.
-std::string wear_text(const simulation::RunTotals& s)
+/// Lines about the effects that act: their totals by the names of their columns.
+std::string effects_text(const simulation::PairCase& c, const simulation::RunTotals& s)
 {
-  if (s.worn_volume_lower == 0.0 && s.worn_volume_upper == 0.0)
-    return {};
-  return fmt::format(
-      "wear      {:>13.6e} m^3 of the lower body, up to {:.3e} m deep; {:.6e} m^3 of the upper one, up to "
-      "{:.3e} m\n",
-      s.worn_volume_lower, s.max_worn_depth_lower, s.worn_volume_upper, s.max_worn_depth_upper);
+  constexpr std::size_t width = 100;
+  std::string text;
+  for (const std::string_view name : elastoplastic::names_of(c, {&c.lower.material, &c.upper.material}))
+  {
+    std::string line = fmt::format("{:<9}", name);
+    for (const elastoplastic::EffectColumn& total : elastoplastic::effect_columns)
+      if (total.effect == name)
+      {
+        const auto& column = total.column;
+        const double value = std::visit([](auto number) { return static_cast<double>(number); }, column.value(s));
+        const std::string part =
+            fmt::format(" {} {:.6g} {}", column.name, value, column.unit == "1" ? "" : column.unit);
+        if (line.size() + part.size() > width)
+        {
+          text += line + ",\n";
+          line = std::string(9, ' ');
+        }
+        else if (line.size() > 9)
+          line += ',';
+        line += part;
+      }
+    text += line + "\n";
+  }
+  return text;
 }
 
 } // namespace
@@ -50,7 +68,7 @@ std::string results_text(const Case& c, const simulation::AnySummary& summary)
       [&]<typename ScenarioCase>(const ScenarioCase& scenario)
       {
         const auto& s = summary_of<ScenarioCase>(summary);
-        return io_of(scenario).results(c, s) + friction_text(s) + wear_text(s);
+        return io_of(scenario).results(c, s) + friction_text(s) + effects_text(scenario, s);
       },
       c.scenario);
 }

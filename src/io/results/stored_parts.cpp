@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stored_parts.hpp"
 
+#include "brinell/simulation/surface_fields.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,24 +19,27 @@ using simulation::Snapshot;
 using simulation::StepFields;
 using simulation::TensorField;
 
-/// Word of a field on the contact that is not the name of its dataset.
-std::string_view word_of(std::string_view field)
+const Snapshot no_bodies; ///< for the table of fields
+
+/// Word that chooses a field on a surface; empty for a field that is always stored.
+std::string_view word_of(std::string_view name)
 {
-  if (field.starts_with("shear_"))
-    return "shear";
-  if (field.starts_with("slip_"))
-    return "slip";
-  if (field.starts_with("temperature_"))
-    return "surface_temperature";
-  if (field.starts_with("heat_flux_"))
-    return "heat_flux";
-  return field;
+  std::string_view word;
+  const auto look_at = [&](const auto& fields)
+  {
+    for (const auto& field : fields)
+      if (field.name == name && !(field.needs.empty()))
+        word = field.word;
+  };
+  look_at(simulation::surface_fields(no_bodies));
+  look_at(simulation::surface_fields(no_bodies.lower));
+  return word;
 }
+
+constexpr std::array within{"stress", "von_mises_stress", "plastic_strain", "equivalent_plastic_strain", "temperature"};
 
 bool is_within(std::string_view field)
 {
-  constexpr std::array within{"stress", "von_mises_stress", "plastic_strain", "equivalent_plastic_strain",
-                              "temperature"};
   return std::ranges::find(within, field) != within.end();
 }
 
@@ -124,8 +129,8 @@ void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cell
   const TakenOfBody taken = taken_of(grid, body.x0, body.y0, cells);
   const auto cut_field = [=](const std::vector<double>& field, const Taken& z)
   { return part_of(field, grid.surface, z, taken.x, taken.y); };
-  for (std::vector<double>* field : {&body.residual_displacement, &body.worn_depth, &body.height})
-    *field = cut_field(*field, one_layer);
+  for (const auto& field : simulation::surface_fields(body))
+    *field.values = cut_field(*field.values, one_layer);
   for (auto* field : {&within.equivalent_plastic_strain, &within.temperature})
     if (*field)
       *field = [=, whole = *field] { return cut_field(whole(), taken.z); };
@@ -150,10 +155,8 @@ void cut(Snapshot& contact, const StoredCells& cells)
   const SurfaceGrid grid = contact.contact;
   const Taken x = taken_along(grid.nx, contact.x0 + contact.lower.contact_x, grid.dx, std::nullopt, cells.stride),
               y = taken_along(grid.ny, contact.y0, grid.dy, std::nullopt, cells.stride);
-  const auto cut_fields = [&](auto&... fields) { ((fields = part_of(fields, grid, one_layer, x, y)), ...); };
-  cut_fields(contact.pressure, contact.gap, contact.shear[0], contact.shear[1], contact.slip[0], contact.slip[1],
-             contact.slip_path, contact.friction_heat, contact.temperature[0], contact.temperature[1],
-             contact.heat_flux[0], contact.heat_flux[1], contact.current_density);
+  for (const auto& field : simulation::surface_fields(contact))
+    *field.values = part_of(*field.values, grid, one_layer, x, y);
   contact.contact.nx = x.count;
   contact.contact.ny = y.count;
   contact.contact.dx *= x.stride;
@@ -171,9 +174,8 @@ void choose(BodySnapshot& body, StepFields::Within& within, const std::vector<st
     if (!keeps(name))
       field = {};
   };
-  drop("residual_displacement", body.residual_displacement);
-  drop("worn_depth", body.worn_depth);
-  drop("height", body.height);
+  for (const auto& field : simulation::surface_fields(body))
+    drop(field.name, *field.values);
   drop("equivalent_plastic_strain", within.equivalent_plastic_strain);
   drop("temperature", within.temperature);
   drop("plastic_strain", within.plastic_strain);
@@ -187,30 +189,30 @@ void choose(BodySnapshot& body, StepFields::Within& within, const std::vector<st
 
 const std::vector<std::string>& field_words()
 {
-  static const std::vector<std::string> words{"all",
-                                              "surface",
-                                              "stress",
-                                              "von_mises_stress",
-                                              "plastic_strain",
-                                              "equivalent_plastic_strain",
-                                              "temperature",
-                                              "residual_displacement",
-                                              "worn_depth",
-                                              "height",
-                                              "shear",
-                                              "slip",
-                                              "friction_heat",
-                                              "surface_temperature",
-                                              "heat_flux",
-                                              "current_density"};
+  static const std::vector<std::string> words = []
+  {
+    std::vector<std::string> all{"all", "surface"};
+    all.insert(all.end(), within.begin(), within.end());
+    const auto add = [&](const auto& fields)
+    {
+      for (const auto& field : fields)
+        if (!field.needs.empty() && std::ranges::find(all, field.word) == all.end())
+          all.emplace_back(field.word);
+    };
+    add(simulation::surface_fields(no_bodies.lower));
+    add(simulation::surface_fields(no_bodies));
+    return all;
+  }();
   return words;
 }
 
 bool chooses(const std::vector<std::string>& words, std::string_view field)
 {
   const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
-  return field == "pressure" || field == "gap" || has("all") || has(is_within(field) ? field : word_of(field)) ||
-         (has("surface") && !is_within(field));
+  if (is_within(field))
+    return has("all") || has(field);
+  const std::string_view word = word_of(field);
+  return word.empty() || has("all") || has("surface") || has(word);
 }
 
 bool asks_for_fields_within(const OutputChoice& choice)
@@ -230,23 +232,9 @@ StepFields chosen_fields(const StepFields& fields, const std::vector<std::string
 {
   StepFields chosen = fields;
   Snapshot& s = chosen.surfaces;
-  const auto drop = [&](std::string_view name, std::vector<double>& field)
-  {
-    if (!chooses(words, name))
-      field.clear();
-  };
-  drop("shear_x", s.shear[0]);
-  drop("shear_y", s.shear[1]);
-  drop("slip_x", s.slip[0]);
-  drop("slip_y", s.slip[1]);
-  drop("slip_path", s.slip_path);
-  drop("friction_heat", s.friction_heat);
-  drop("current_density", s.current_density);
-  for (std::size_t side = 0; side < 2; ++side)
-  {
-    drop("temperature_lower", s.temperature[side]);
-    drop("heat_flux_lower", s.heat_flux[side]);
-  }
+  for (const auto& field : simulation::surface_fields(s))
+    if (!chooses(words, field.name))
+      field.values->clear();
   choose(s.lower, chosen.lower, words, parts.bodies != StoredBodies::upper);
   choose(s.upper, chosen.upper, words, parts.bodies != StoredBodies::lower);
   if (!parts.cells.is_everything())

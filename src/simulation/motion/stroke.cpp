@@ -22,9 +22,8 @@ struct Heights
   Bearing bearing;
 };
 
-Heights heights_of(const elastoplastic::BodyView& body, std::span<const double> worn)
+Heights heights_of(std::vector<double> height)
 {
-  std::vector<double> height = surface_height(body, worn);
   const auto size = static_cast<double>(height.size());
   const double mean = std::accumulate(height.begin(), height.end(), 0.0) / size;
   double squares = 0.0, magnitudes = 0.0;
@@ -60,8 +59,8 @@ SlidingStroke stroke_of(const ColumnStatistics<SlidingRecord>& rows, const Stepp
   stroke.dissipation_plastic = rows.growth(&R::dissipation_lower, &R::dissipation_upper);
   stroke.dissipation_friction = rows.growth(&R::dissipation_friction);
   stroke.max_equivalent_plastic_strain = rows.last(&R::max_equivalent_plastic_strain);
-  const Heights lower = heights_of(stepper.pair().lower(), worn_depth(stepper.pair(), 0));
-  const Heights upper = heights_of(stepper.pair().upper(), worn_depth(stepper.pair(), 1));
+  const Heights lower = heights_of(surface_height(stepper.pair(), 0));
+  const Heights upper = heights_of(surface_height(stepper.pair(), 1));
   stroke.rms_height_lower = lower.root_mean_square;
   stroke.mean_height_lower = lower.mean_magnitude;
   stroke.rms_height_upper = upper.root_mean_square;

@@ -110,31 +110,41 @@ void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
   }
 }
 
-std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side)
+std::vector<double> surface_height(const elastoplastic::CoupledContact& pair, std::size_t side)
 {
-  const auto* wear = pair.wear();
-  return wear != nullptr ? wear->depth(side) : std::span<const double>{};
-}
-
-std::vector<double> surface_height(const elastoplastic::BodyView& body, std::span<const double> worn)
-{
-  std::vector<double> height = body.residual_displacement();
-  for (std::size_t i = 0; i < height.size(); ++i)
-    height[i] = -(height[i] + (body.texture().empty() ? 0.0 : body.texture()[i]) + (worn.empty() ? 0.0 : worn[i]));
-  return height;
-}
-
-void set_surfaces(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
-{
-  const auto set = [&](std::size_t side, const elastoplastic::BodyView& view, BodySnapshot& body)
+  const elastoplastic::BodyView& body = side == 0 ? pair.lower() : pair.upper();
+  std::vector<double> depth = body.residual_displacement();
+  const auto deepen = [&](std::span<const double> further)
   {
-    const std::span<const double> worn = worn_depth(pair, side);
-    body.worn_depth.assign(worn.begin(), worn.end());
-    if (!view.texture().empty())
-      body.height = surface_height(view, worn);
+    for (std::size_t i = 0; i < further.size(); ++i)
+      depth[i] += further[i];
   };
-  set(0, pair.lower(), snapshot.lower);
-  set(1, pair.upper(), snapshot.upper);
+  deepen(body.texture());
+  for (const elastoplastic::EffectField& field : elastoplastic::effect_fields)
+    if (field.lowers_surface)
+      deepen(elastoplastic::values_of(field, pair.effects(), side));
+  for (double& d : depth)
+    d = -d;
+  return depth;
+}
+
+void set_effects(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
+{
+  const auto set = [&](std::size_t field, std::size_t side, elastoplastic::EffectFields& fields)
+  {
+    const auto values = elastoplastic::values_of(elastoplastic::effect_fields[field], pair.effects(), side);
+    fields.of_effects[field].assign(values.begin(), values.end());
+  };
+  const std::array<BodySnapshot*, 2> bodies{&snapshot.lower, &snapshot.upper};
+  for (std::size_t field = 0; field < elastoplastic::effect_fields.size(); ++field)
+    if (elastoplastic::effect_fields[field].on == elastoplastic::EffectField::On::contact)
+      set(field, 0, snapshot);
+    else
+      for (std::size_t side = 0; side < bodies.size(); ++side)
+        set(field, side, *bodies[side]);
+  for (std::size_t side = 0; side < bodies.size(); ++side)
+    if (!(side == 0 ? pair.lower() : pair.upper()).texture().empty())
+      bodies[side]->height = surface_height(pair, side);
 }
 
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)

@@ -25,11 +25,9 @@ using StatesOfCells =
 void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 /// Fills temperatures and heat fluxes, if there is heat.
 void set_heat(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
-/// Worn depth of the lower (0) or upper (1) surface on its grid [m]; empty without wear.
-[[nodiscard]] std::span<const double> worn_depth(const elastoplastic::CoupledContact& pair, std::size_t side);
-/// Current height of a surface from texture, residual displacement and worn depth, positive out of the body [m].
-[[nodiscard]] std::vector<double> surface_height(const elastoplastic::BodyView& body, std::span<const double> worn);
-/// Fills the worn depths, if there is wear, and the heights of textured surfaces.
-void set_surfaces(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
+/// Current height of a surface from texture, residual displacement and depths of effects, positive out of the body [m].
+[[nodiscard]] std::vector<double> surface_height(const elastoplastic::CoupledContact& pair, std::size_t side);
+/// Fills the fields of effects, and the heights of textured surfaces.
+void set_effects(const elastoplastic::CoupledContact& pair, Snapshot& snapshot);
 
 } // namespace brinell::simulation

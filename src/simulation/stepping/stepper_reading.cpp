@@ -158,9 +158,7 @@ StepFields Stepper::fields(const Centre& centre) const
   s.lower = surface_snapshot(pair_->lower(), lattice_.lower_origin(), centre.lower);
   s.upper = surface_snapshot(pair_->upper(), lattice_.upper_origin(), centre.upper);
   set_heat(*pair_, s);
-  set_surfaces(*pair_, s);
-  if (const elastoplastic::Current* current = pair_->current())
-    s.current_density.assign(current->density().begin(), current->density().end());
+  set_effects(*pair_, s);
   fields.are_alike = plan_.twin == elastoplastic::Twin::alike && frame.placement.lower == frame.placement.upper;
   if (plan_.surfaces_only)
     return fields;

@@ -58,7 +58,7 @@ public:
   }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] const CoupledContact& contact() const { return contact_; }
-  [[nodiscard]] const Wear& wear() const { return *contact_.wear(); }
+  [[nodiscard]] const Wear& wear() const { return static_cast<const Wear&>(*contact_.effects().front()); }
 
 private:
   SurfaceGrid grid_;

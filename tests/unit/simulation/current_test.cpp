@@ -96,7 +96,7 @@ TYPED_TEST(CurrentTest, GoesOnFromACheckpointToTheLastDigit)
     simulation::Run<TypeParam> later(c, {}, &checkpoints[at]);
     while (!later.is_done())
       later.step();
-    EXPECT_EQ(later.snapshot().current_density, whole.snapshot().current_density) << at;
+    EXPECT_EQ(later.snapshot().effect("current_density"), whole.snapshot().effect("current_density")) << at;
     EXPECT_EQ(later.summary().min_contact_resistance, whole.summary().min_contact_resistance) << at;
     EXPECT_EQ(later.summary().max_contact_temperature, whole.summary().max_contact_temperature) << at;
   }

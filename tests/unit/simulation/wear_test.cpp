@@ -150,9 +150,9 @@ TEST(WearTest, OfSlidingBalancesLoadTimesWay)
     EXPECT_NEAR(worn_volume(end.lower) / r.history.back().worn_volume_lower, 1.0, 1e-12);
     EXPECT_NEAR(worn_volume(end.upper) / r.history.back().worn_volume_upper, 1.0, 1e-12);
     for (const BodySnapshot* body : {&end.lower, &end.upper})
-      EXPECT_GE(*std::min_element(body->worn_depth.begin(), body->worn_depth.end()), 0.0);
+      EXPECT_GE(*std::min_element(body->effect("worn_depth").begin(), body->effect("worn_depth").end()), 0.0);
     EXPECT_EQ(r.summary.max_worn_depth_lower,
-              *std::max_element(end.lower.worn_depth.begin(), end.lower.worn_depth.end()));
+              *std::max_element(end.lower.effect("worn_depth").begin(), end.lower.effect("worn_depth").end()));
     EXPECT_GT(r.summary.work_of_wear, 0.0);
   }
 }
@@ -213,7 +213,7 @@ TEST(WearTest, LeavesAloneWhatHasNoCoefficient)
   SlidingCase none = ball();
   none.wear = {};
   const WornRun<SlidingCase> without = worn(none);
-  EXPECT_TRUE(without.summary.final_state.lower.worn_depth.empty());
+  EXPECT_TRUE(without.summary.final_state.lower.effect("worn_depth").empty());
   EXPECT_EQ(without.summary.work_of_wear, 0.0);
 }
 
