@@ -186,11 +186,17 @@ public:
   /// @param factor  > 0, one per cell; empty: 1 everywhere
   void set_softening(std::span<const double> factor);
 
-  /// Starts an increment. The initial guess for q is taken from the last increment and moved along x with the contact.
+  /// Where the guess for q comes from.
+  enum class Guess
+  {
+    last_increment, ///< its q, moved along x with the contact: the flow goes on
+    stress          ///< the stress before the increment: no flow
+  };
+  /// Starts an increment.
   /// @param shift            by which the contact moves along x [cells]
   /// @param stiffness_share  c / (2 mu) in q = s + c d_eps. With 1 the plain fixed point descends from any start in the
   ///                         continuum (docs/theory/elastoplastic.md); a cell's own stiffness, near 0.6, converges faster.
-  void begin(int shift, double stiffness_share);
+  void begin(int shift, double stiffness_share, Guess guess = Guess::last_increment);
   /// Sets the deviator of the thermal stress at the end of the increment, 5 values per cell [Pa]; to be called after `begin`.
   /// Without this call the thermal stress of the last increment stays.
   void set_thermal_stress(std::span<const double> deviator);

@@ -119,7 +119,7 @@ void Body::set_softening(std::span<const double> factor)
     b.state.softening = b.yield.softening;
 }
 
-void Body::begin(int shift, double stiffness_share)
+void Body::begin(int shift, double stiffness_share, Guess guess)
 {
   BodyParts& b = parts_;
   b.trial.stiffness = 2.0 * stiffness_share * b.yield.material.elastic.shear_modulus();
@@ -131,6 +131,9 @@ void Body::begin(int shift, double stiffness_share)
   b.trial.is_open = true;
   b.trial.active.clear();
   b.evaluation->begin(shift);
+  if (guess == Guess::stress)
+    for (const std::size_t cell : b.trial.guessed_cells)
+      store(deviator_at(b.state.stress, b.grid.size(), cell), b.trial.stress, b.grid.size(), cell);
   // In the frame of the contact q changes little from step to step: the guess moves along with the contact.
   collect_active(b, b.trial.stress, shift, b.settings.shortcuts ? active_share : -1.0);
   b.evaluation->follow(b.trial.active, 0);

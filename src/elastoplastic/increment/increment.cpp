@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "contact_parts.hpp"
 #include "foundation/require_size.hpp"
+#include "foundation/sharing.hpp"
 
 #include <algorithm>
 
@@ -43,11 +44,33 @@ private:
   bool committed_ = false;
 };
 
+/// Whether the increment presses the bodies less against each other than the one before, at the same place.
+bool lifts(const ContactParts& c, const Task& task)
+{
+  if (task.placement.lower != c.placement.lower || task.placement.upper != c.placement.upper)
+    return false;
+  constexpr double rounding = 1e-9;
+  const double value = task.drive.value, least = (1.0 - rounding);
+  switch (task.drive.kind)
+  {
+  case contact::Drive::Kind::approach:
+    return value < least * c.state.approach;
+  case contact::Drive::Kind::load:
+    return value < least * sum(c.state.pressure) * c.grid().cell_area();
+  case contact::Drive::Kind::mean_gap:
+    return least * value * static_cast<double>(c.state.gap.size()) > sum(c.state.gap);
+  }
+  return false;
+}
+
 void begin(ContactParts& c, const Task& task)
 {
+  // Plastic flow does not go on when the bodies are lifted. In deep indents the last flow would be a guess so far off that the
+  // iteration went astray.
+  const Body::Guess guess = lifts(c, task) ? Body::Guess::stress : Body::Guess::last_increment;
   for (Side& side : c.sides)
     side.body.begin((task.placement.*side.place).column - (c.placement.*side.place).column,
-                    task.strategy.stiffness_share);
+                    task.strategy.stiffness_share, guess);
   begin_effects(c);
   if (c.heating)
     begin_heating(c, task);
