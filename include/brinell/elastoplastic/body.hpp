@@ -189,7 +189,7 @@ public:
   /// Where the guess for q comes from.
   enum class Guess
   {
-    last_increment, ///< its q, moved along x with the contact: the flow goes on
+    last_increment, ///< q of the last increment, moved along x with the contact: the flow goes on
     stress          ///< the stress before the increment: no flow
   };
   /// Starts an increment.
