@@ -69,7 +69,7 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
     return;
   b.zone = PlasticZone(grid, b.state.equivalent);
   b.state.stress.assign(Deviator::size * n, 0.0);
-  b.evaluation->add_initial_stress(grid.nz, grid.surface.ny, b.state.stress);
+  b.evaluation->initial_stress().add_to(b.state.stress, grid.nz, grid.surface.ny);
 }
 
 void Body::exchange(Archive& archive)

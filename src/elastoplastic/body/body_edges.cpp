@@ -55,8 +55,8 @@ bool may_yield_below(const BodyParts& b)
       weakest = std::min(weakest, b.yield.material.yield_factor.at(z, 1.0));
   for (const double z : b.yield.material.initial_stress.depth())
     if (z > bottom)
-      added =
-          std::max(added, std::abs(b.yield.material.initial_stress.at(z, 0.0) - b.evaluation->initial_stress(last)));
+      added = std::max(added,
+                       std::abs(b.yield.material.initial_stress.at(z, 0.0) - b.evaluation->initial_stress().at(last)));
   if (weakest >= b.yield.factor[last] && added == 0.0)
     return false; // no layer below the grid yields before the last layer
   const double yield = weakest * constitutive::initial_yield_stress(*b.yield.material.hardening);

@@ -51,7 +51,7 @@ double locked_in_energy(const BodyParts& b, const halfspace::SurfaceLoad& load, 
     zone.for_cells(first, last,
                    [&](std::size_t from, std::size_t to)
                    {
-                     const double initial = b.evaluation->initial_stress(b.yield.layer_of(from));
+                     const double initial = b.evaluation->initial_stress().at(b.yield.layer_of(from));
                      for (std::size_t cell = from; cell < to; ++cell)
                      {
                        const Deviator strain = deviator_at(b.state.plastic_strain, n, cell);

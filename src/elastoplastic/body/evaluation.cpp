@@ -39,6 +39,26 @@ auto displacements_of(State& state)
   return std::array{&state.residual_displacement, &state.residual_displacement_x, &state.residual_displacement_y};
 }
 
+/// Columns in which an increment changes strain or load.
+/// @param load   before the increment
+/// @param shift  by which the contact moves in the increment [cells]
+Columns affected_columns(const SurfaceGrid& s, const ActiveCells& active, const StoredLoad& load, int shift)
+{
+  const auto nx = static_cast<std::size_t>(s.nx);
+  Extent extent{s.nx, -1};
+  for (const std::size_t cell : active.cells())
+    extent.add(static_cast<int>(cell % nx));
+  for (const std::vector<double>& part : load)
+    for (std::size_t cell = 0; cell < part.size(); ++cell)
+      if (part[cell] != 0.0)
+      {
+        const int column = static_cast<int>(cell % nx);
+        extent.add(column);
+        extent.add(std::clamp(column + shift, 0, s.nx - 1));
+      }
+  return {extent.first, extent.last + 1 - extent.first};
+}
+
 void add_thermal_stress(const VolumeGrid& grid, std::span<const double> thermal, int layers, int rows,
                         std::span<double> stress)
 {
@@ -58,10 +78,8 @@ void add_thermal_stress(const VolumeGrid& grid, std::span<const double> thermal,
 Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
                        const constitutive::Material& material, const BodySettings& settings)
     : grid_(grid), half_space_(std::move(half_space)), is_plastic_(material.is_plastic()),
-      shortcuts_(settings.shortcuts), has_initial_stress_(!material.initial_stress.empty()), layers_(grid.nz)
+      shortcuts_(settings.shortcuts), initial_stress_(grid, material), layers_(grid.nz), watched_(grid)
 {
-  for (int layer = 0; layer < grid_.nz; ++layer)
-    initial_stress_.push_back(material.initial_stress.at((layer + 0.5) * grid_.dz, 0.0));
   displacement_[0].assign(grid_.surface.size(), 0.0);
   if (is_plastic_ && settings.displacements != Displacements::normal)
     displacement_[1] = displacement_[0];
@@ -128,25 +146,6 @@ double Evaluation::load(const BodyState& state, const ActiveCells& active)
   return change;
 }
 
-/// Columns in which the increment changes strain or load.
-Columns Evaluation::affected_columns(const ActiveCells& active) const
-{
-  const SurfaceGrid& s = grid_.surface;
-  const auto nx = static_cast<std::size_t>(s.nx);
-  Extent extent{s.nx, -1};
-  for (const std::size_t cell : active.cells())
-    extent.add(static_cast<int>(cell % nx));
-  for (const std::vector<double>& part : committed_load_)
-    for (std::size_t cell = 0; cell < part.size(); ++cell)
-      if (part[cell] != 0.0)
-      {
-        const int column = static_cast<int>(cell % nx);
-        extent.add(column);
-        extent.add(std::clamp(column + shift_, 0, s.nx - 1));
-      }
-  return {extent.first, extent.last + 1 - extent.first};
-}
-
 /// Places the window of the next evaluation, around what changes since the state before the increment. An increment has
 /// one window: where a closing evaluation does not end it, its rest is as small as the error of a window.
 void Evaluation::choose_window(const BodyState& state, const ActiveCells& active)
@@ -156,7 +155,7 @@ void Evaluation::choose_window(const BodyState& state, const ActiveCells& active
     return;
   const bool along = wanted() == Displacements::all;
   windowed_ = window_->place(
-      affected_columns(active),
+      affected_columns(grid_.surface, active, committed_load_, shift_),
       {.stress = state.stress,
        .thermal_stress = state.thermal_stress,
        .displacement = {displacement_[0], along ? displacement_[1] : std::span<const double>(), displacement_[2]},
@@ -236,9 +235,9 @@ void Evaluation::stress(const halfspace::SurfaceLoad& load, std::span<const doub
     return window_->stress(load, thermal, stress, work_);
   loaded_->stress(load, stress);
   if (!watched_.empty() && is_whole())
-    find_traces(load);
+    watched_.find_traces(*loaded_, load);
   const int rows = grid_.surface.independent_rows();
-  add_initial_stress(layers_, rows, stress);
+  initial_stress_.add_to(stress, layers_, rows);
   add_thermal_stress(grid_, thermal, layers_, rows, stress);
   may_use_window_ = false;
 }
@@ -250,14 +249,14 @@ void Evaluation::compute_anew(const BodyState& state, const halfspace::SurfaceLo
   loaded_.emplace(half_space_->load(state.plastic_strain, grid_.nz, work_, all));
   find_displacements(all);
   loaded_->stress(load, stress);
-  add_initial_stress(grid_.nz, grid_.surface.ny, stress);
+  initial_stress_.add_to(stress, grid_.nz, grid_.surface.ny);
   add_thermal_stress(grid_, state.thermal_stress, grid_.nz, grid_.surface.ny, stress);
   commit(load);
 }
 
 void Evaluation::restore(const BodyState& state)
 {
-  knows_traces_ = false;
+  watched_.forget_traces();
   const auto fields = displacements_of(state);
   for (std::size_t axis = 0; axis < fields.size(); ++axis)
     displacement_[axis] = *fields[axis];
@@ -285,28 +284,15 @@ void Evaluation::exchange(Archive& archive)
   archive("window_wishes", window_->requests());
 }
 
-void Evaluation::add_initial_stress(int layers, int rows, std::span<double> stress) const
-{
-  if (!has_initial_stress_)
-    return;
-  for (int layer = 0; layer < layers; ++layer)
-    for (const std::size_t component : {Deviator::xx, Deviator::yy})
-    {
-      const std::size_t first = component * grid_.size() + grid_.index(0, 0, layer);
-      for (std::size_t cell = first; cell < first + grid_.surface.index(0, rows); ++cell)
-        stress[cell] += initial_stress_[static_cast<std::size_t>(layer)] / 3.0;
-    }
-}
-
 void Evaluation::full_stress(const halfspace::SurfaceLoad& load, std::span<const double> strain,
                              std::span<double> deviator, std::span<double> trace, int layers)
 {
   if (!is_plastic_ || work_.empty())
     work_ = half_space_->make_work();
   half_space_->full_stress(load, strain, work_, deviator, trace, layers);
-  add_initial_stress(grid_.nz, grid_.surface.ny, deviator);
+  initial_stress_.add_to(deviator, grid_.nz, grid_.surface.ny);
   for (std::size_t i = 0; i < trace.size(); ++i)
-    trace[i] += 2.0 * initial_stress_[layer_of(i)];
+    trace[i] += 2.0 * initial_stress_.at(layer_of(i));
   if (!is_plastic_)
     work_ = {}; // an elastic body needs it for output only
 }

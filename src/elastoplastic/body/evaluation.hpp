@@ -2,6 +2,8 @@
 #pragma once
 
 #include "brinell/elastoplastic/body.hpp"
+#include "initial_stress.hpp"
+#include "watched_cells.hpp"
 #include "window.hpp"
 
 #include <array>
@@ -61,10 +63,7 @@ public:
   void commit(const halfspace::SurfaceLoad& load);
   void exchange(Archive& archive);
 
-  /// Initial stress xx = yy of a layer [Pa].
-  [[nodiscard]] double initial_stress(std::size_t layer) const { return initial_stress_[layer]; }
-  /// Adds the deviator of the initial stress in the layers [0, layers) and in the rows [0, rows) of each layer.
-  void add_initial_stress(int layers, int rows, std::span<double> stress) const;
+  [[nodiscard]] const InitialStress& initial_stress() const { return initial_stress_; }
   /// Body::full_stress and Body::stress_at
   void full_stress(const halfspace::SurfaceLoad& load, std::span<const double> strain, std::span<double> deviator,
                    std::span<double> trace, int layers);
@@ -73,7 +72,6 @@ public:
 
 private:
   void choose_window(const BodyState& state, const ActiveCells& active);
-  [[nodiscard]] Columns affected_columns(const ActiveCells& active) const;
   [[nodiscard]] bool is_whole() const { return layers_ == grid_.nz && !windowed_; }
   [[nodiscard]] halfspace::Displacements wanted() const;
   void load_strain();
@@ -81,16 +79,13 @@ private:
   [[nodiscard]] double change_since(const std::vector<double>& before) const;
   void prepare_work();
   [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / grid_.surface.size(); }
-  void find_traces(const halfspace::SurfaceLoad& load);
-  [[nodiscard]] bool watches(std::span<const std::size_t> cells);
   [[nodiscard]] std::vector<Body::CellStress> elastic_stress_at(std::span<const std::size_t> cells,
                                                                 const halfspace::SurfaceLoad& load);
 
   VolumeGrid grid_;
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
   bool is_plastic_, shortcuts_;
-  std::vector<double> initial_stress_; ///< of the layers
-  bool has_initial_stress_;
+  InitialStress initial_stress_;
   halfspace::HalfSpace::Work work_;
   std::span<const double> strain_;                     ///< of the present trial
   std::optional<halfspace::HalfSpace::Loaded> loaded_; ///< strain in waves
@@ -106,11 +101,7 @@ private:
   int shift_ = 0;                  ///< by which the contact moves in the increment [cells]
   StoredLoad committed_load_;      ///< of the state; with a window
 
-  /// Cells that `stress_at` has been asked for, and the trace of their stress in the last evaluation of all cells [Pa],
-  /// without the initial stress.
-  std::vector<std::size_t> watched_;
-  std::vector<double> watched_trace_;
-  bool knows_traces_ = false; ///< whether it is that of the present trial
+  WatchedCells watched_; ///< by `stress_at`
 };
 
 } // namespace brinell::elastoplastic
