@@ -31,15 +31,44 @@ double without_rounding(double value)
   return std::round(value / unit) * unit;
 }
 
-bool is_zero(std::span<const double> field)
-{
-  return std::all_of(field.begin(), field.end(), [](double value) { return value == 0.0; });
-}
-
 /// Place of the contact grid on the thermal grid, from that on the material grid.
 Place on_thermal_grid(const SurfaceGrid& heat, const SurfaceGrid& body, const Place& place)
 {
   return {place.column + (heat.nx - body.nx) / 2, place.fraction};
+}
+
+/// Interpolates a field of the thermal grid to the contact grid.
+std::vector<double> on_contact(const SurfaceGrid& contact, const SurfaceGrid& thermal, std::span<const double> field,
+                               const Place& place, bool is_mirrored)
+{
+  const SurfaceGrid rows = with_rows_of(thermal, contact);
+  std::vector<double> fitted(rows.size()), out(contact.size(), 0.0);
+  fit(thermal, field, rows, fitted);
+  if (is_mirrored)
+    for (auto row = fitted.begin(); row != fitted.end(); row += rows.nx)
+      std::reverse(row, row + rows.nx);
+  elastoplastic::add_depth(rows, fitted, {}, place, contact, out);
+  return out;
+}
+
+/// Extrapolates a share linearly in time from the last two steps, on the contact grid; each is the mean over its step.
+/// @param duration, last  of this step and of the last one, 0 if there is none [s]
+std::vector<double> expected_share(std::span<const double> share, std::span<const double> share_before, double duration,
+                                   double last)
+{
+  const double ahead = last > 0.0 ? 0.5 * (duration + last) / last : 0.0;
+  std::vector<double> expected(share.begin(), share.end());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (share[i] != 0.0)
+      expected[i] += std::min(ahead, 1.0) * (share[i] - share_before[i]);
+  return expected;
+}
+
+std::vector<double> sum_of(std::vector<double> share, std::span<const double> imposed)
+{
+  for (std::size_t i = 0; i < imposed.size(); ++i)
+    share[i] += imposed[i];
+  return share;
 }
 
 } // namespace
@@ -47,49 +76,27 @@ Place on_thermal_grid(const SurfaceGrid& heat, const SurfaceGrid& body, const Pl
 HeatedSide::HeatedSide(const SurfaceGrid& contact, const constitutive::Material& material,
                        std::shared_ptr<BodyHeat> heat, bool is_mirrored, std::optional<double> reference,
                        bool along_surface)
-    : contact_(contact), material_(material), heat_(std::move(heat)), is_mirrored_(is_mirrored), reference_(reference),
-      along_surface_(along_surface)
+    : contact_(contact), bulk_(material.temperature), heat_(std::move(heat)), is_mirrored_(is_mirrored),
+      along_surface_(along_surface), response_(contact, material, swells(), reference, along_surface)
 {
   assign_fields(state_, contact.size());
   for (std::vector<double>* field : {&share_, &flux_before_})
     field->assign(contact.size(), 0.0);
-  for (std::size_t part = 0; part < parts(); ++part)
+  for (std::size_t part = 0; part < response_.parts(); ++part)
     for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
       (*displacement)[part].assign(contact.size(), 0.0);
-  remaining_.assign(contact.size(), material.temperature);
+  remaining_.assign(contact.size(), bulk_);
   state_.temperature = remaining_;
-}
-
-/// Interpolates a field of the thermal grid to the contact grid.
-std::vector<double> HeatedSide::on_contact(const std::vector<double>& thermal_field, const Place& place) const
-{
-  const SurfaceGrid rows = with_rows_of(heat_->grid(), contact_);
-  std::vector<double> fitted(rows.size()), out(contact_.size(), 0.0);
-  fit(heat_->grid(), thermal_field, rows, fitted);
-  if (is_mirrored_)
-    for (auto row = fitted.begin(); row != fitted.end(); row += rows.nx)
-      std::reverse(row, row + rows.nx);
-  elastoplastic::add_depth(rows, fitted, {}, place, contact_, out);
-  return out;
 }
 
 /// Interpolates a displacement of the thermal grid to the contact grid.
 void HeatedSide::set_from(const Displacement& thermal_field, Displacement& on_contact_grid) const
 {
-  for (std::size_t part = 0; part < parts(); ++part)
-    on_contact_grid[part] = on_contact(thermal_field[part], place_);
+  for (std::size_t part = 0; part < response_.parts(); ++part)
+    on_contact_grid[part] = on_contact(contact_, heat_->grid(), thermal_field[part], place_, is_mirrored_);
   if (is_mirrored_ && along_surface_)
     for (double& along_x : on_contact_grid[1])
       along_x = -along_x;
-}
-
-/// Displacement at the end of the step by a flux [W/m^2] in the step.
-void HeatedSide::respond(std::span<const double> flux, Displacement& out)
-{
-  for (std::size_t part = 0; part < parts(); ++part)
-    out[part].assign(flux.size(), 0.0);
-  if (!is_zero(flux))
-    responses().displacement->apply(flux, {out[0], out[1], out[2]}, responses().displacement_scratch);
 }
 
 /// Transfers a flux or pressure from the contact grid to the thermal grid, conserving its sum.
@@ -112,66 +119,19 @@ std::vector<double> HeatedSide::on_body(std::span<const double> field, const cha
   return out;
 }
 
-/// Responses for the motion of the current step. They are computed only when a flux needs them, since for a steady flux at rest
-/// they may not exist.
-HeatedSide::Responses& HeatedSide::responses()
-{
-  const auto known = std::find_if(cached_responses_.begin(), cached_responses_.end(),
-                                  [&](const Responses& responses) { return responses.motion == motion_; });
-  if (known != cached_responses_.end())
-  {
-    cached_responses_.splice(cached_responses_.begin(), cached_responses_, known);
-    return cached_responses_.front();
-  }
-  constexpr std::size_t max_cached = 6;
-  if (cached_responses_.size() == max_cached)
-    cached_responses_.pop_back();
-  halfspace::HeatResponse temperature(contact_, *material_.thermal, motion_);
-  auto temperature_scratch = temperature.make_scratch();
-  std::optional<halfspace::ThermalResponse> displacement;
-  halfspace::ThermalResponse::Scratch displacement_scratch;
-  if (swells())
-  {
-    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_,
-                         along_surface_ ? halfspace::Displacements::all : halfspace::Displacements::normal);
-    displacement_scratch = displacement->make_scratch();
-  }
-  cached_responses_.push_front({motion_, std::move(temperature), std::move(displacement),
-                                std::move(temperature_scratch), std::move(displacement_scratch)});
-  return cached_responses_.front();
-}
-
-/// Extrapolates the share linearly in time from the last two steps, on the contact grid; each is the mean over its step.
-std::vector<double> HeatedSide::expected_share(double duration) const
-{
-  const double ahead = state_.duration > 0.0 ? 0.5 * (duration + state_.duration) / state_.duration : 0.0;
-  std::vector<double> expected(state_.share);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (state_.share[i] != 0.0)
-      expected[i] += std::min(ahead, 1.0) * (state_.share[i] - state_.share_before[i]);
-  return expected;
-}
-
-std::vector<double> HeatedSide::with_imposed(std::vector<double> share) const
-{
-  for (std::size_t i = 0; i < imposed_.size(); ++i)
-    share[i] += imposed_[i];
-  return share;
-}
-
 /// Adds the response to a flux that does not depend on the contact to what remains of earlier steps, once per step.
 void HeatedSide::impose(std::span<const double> flux)
 {
   if (is_zero(flux))
     return;
   std::vector<double> response(flux.size());
-  find_rise(flux, response);
+  response_.find_rise(flux, response);
   std::transform(remaining_.begin(), remaining_.end(), response.begin(), remaining_.begin(), std::plus<>());
   if (!swells())
     return;
   Displacement displacement;
-  respond(flux, displacement);
-  for (std::size_t part = 0; part < parts(); ++part)
+  response_.find_displacement(flux, displacement);
+  for (std::size_t part = 0; part < response_.parts(); ++part)
     std::transform(remaining_displacement_[part].begin(), remaining_displacement_[part].end(),
                    displacement[part].begin(), remaining_displacement_[part].begin(), std::plus<>());
 }
@@ -186,42 +146,41 @@ void HeatedSide::begin(const VolumeGrid& body, const Place& place, double column
   duration_ = without_rounding(duration);
   const double velocity = without_rounding(columns * contact_.dx / duration_);
   constexpr double always = std::numeric_limits<double>::infinity();
-  motion_ = {heat_->is_steady() ? always : duration_, velocity};
+  response_.set_motion({heat_->is_steady() ? always : duration_, velocity});
   place_ = on_thermal_grid(heat_->grid(), body.surface, place);
   // The steady state of a step without heat between the surfaces has no flux left from steps with it.
   const bool is_new = heat_->is_steady() && !is_fed;
   const std::vector<double> none(contact_.size(), 0.0);
   if (!is_mirrored_)
-    heat_->begin(heat_->acts_in_layers() ? on_body(with_imposed(is_new ? none : expected_share(duration)), "heat")
-                                         : std::vector<double>{},
-                 motion_, body);
-  remaining_ = on_contact(heat_->remaining_temperature(), place_);
+  {
+    std::vector<double> expected; // on the thermal grid
+    if (heat_->acts_in_layers())
+    {
+      const std::vector<double> share =
+          is_new ? none : expected_share(state_.share, state_.share_before, duration, state_.duration);
+      expected = on_body(sum_of(share, imposed_), "heat");
+    }
+    heat_->begin(expected, response_.motion(), body);
+  }
+  remaining_ = on_contact(contact_, heat_->grid(), heat_->remaining_temperature(), place_, is_mirrored_);
   for (double& t : remaining_)
-    t += material_.temperature;
+    t += bulk_;
   if (swells())
     set_from(heat_->remaining_displacement(), remaining_displacement_);
   impose(imposed_);
   set_share(is_new ? none : state_.share);
 }
 
-void HeatedSide::find_rise(std::span<const double> flux, std::span<double> rise)
-{
-  if (is_zero(flux))
-    std::fill(rise.begin(), rise.end(), 0.0);
-  else
-    responses().temperature.apply(flux, rise, responses().temperature_scratch);
-}
-
 double HeatedSide::set_share(std::span<const double> flux)
 {
   share_.assign(flux.begin(), flux.end());
-  state_.flux = with_imposed(share_);
+  state_.flux = sum_of(share_, imposed_);
   if (!swells())
     return 0.0;
   const Displacement before = own_displacement_;
-  respond(flux, own_displacement_);
+  response_.find_displacement(flux, own_displacement_);
   double change = 0.0;
-  for (std::size_t part = 0; part < parts(); ++part)
+  for (std::size_t part = 0; part < response_.parts(); ++part)
     for (std::size_t i = 0; i < before[part].size(); ++i)
       change = larger(change, std::abs(own_displacement_[part][i] - before[part][i]));
   return change;
@@ -286,7 +245,7 @@ void HeatedSide::settle()
       state_.along[axis].assign(share_.size(), 0.0);
       add_along(axis, state_.along[axis]);
     }
-  find_rise(share_, state_.temperature);
+  response_.find_rise(share_, state_.temperature);
   for (std::size_t i = 0; i < state_.temperature.size(); ++i)
     state_.temperature[i] += remaining_[i];
   if (conducts() && !is_mirrored_)
@@ -304,7 +263,8 @@ void HeatedSide::add_depth(const SurfaceGrid& body, const Place& place, std::spa
 {
   if (!swells())
     return;
-  const std::vector<double> depth = on_contact(heat_->displacement()[0], on_thermal_grid(heat_->grid(), body, place));
+  const std::vector<double> depth = on_contact(contact_, heat_->grid(), heat_->displacement()[0],
+                                               on_thermal_grid(heat_->grid(), body, place), is_mirrored_);
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] += depth[i];
 }
@@ -327,21 +287,21 @@ void HeatedSide::move_to(const SurfaceGrid& contact)
   };
   for (std::vector<double>* field : {&share_, &flux_before_})
     move(*field, 0.0);
-  for (std::size_t part = 0; part < parts(); ++part)
+  for (std::size_t part = 0; part < response_.parts(); ++part)
     for (Displacement* displacement : {&remaining_displacement_, &own_displacement_})
       move((*displacement)[part], 0.0);
   state_.along = {}; // the points that are new under the grid are known from the field only
-  move(remaining_, material_.temperature);
+  move(remaining_, bulk_);
   for_fields(
       [&](const Traits& traits, std::vector<double>& field)
       {
         if (!traits.is_derived)
-          move(field, &field == &state_.temperature ? material_.temperature : 0.0);
+          move(field, &field == &state_.temperature ? bulk_ : 0.0);
       },
       state_);
   imposed_.clear();
   contact_ = contact;
-  cached_responses_.clear();
+  response_.move_to(contact);
 }
 
 } // namespace brinell::elastoplastic

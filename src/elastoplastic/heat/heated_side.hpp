@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/halfspace/thermal_response.hpp"
+#include "flux_response.hpp"
 #include "heated_body.hpp"
 
 #include <array>
-#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,11 +45,8 @@ public:
 
   /// Surface temperature at the end of the step [deg C] due to earlier steps and to the imposed flux alone.
   [[nodiscard]] const std::vector<double>& remaining() const { return remaining_; }
-  /// Motion of the flux in the current step, and the response of the temperature to it.
-  [[nodiscard]] const halfspace::HeatMotion& motion() const { return motion_; }
-  [[nodiscard]] const halfspace::HeatResponse& temperature_response() { return responses().temperature; }
-  /// Temperature rise of the surface at the end of the step by a flux [W/m^2] in the step.
-  void find_rise(std::span<const double> flux, std::span<double> rise);
+  /// Of this side to a flux in the current step.
+  [[nodiscard]] FluxResponse& response() { return response_; }
   /// Sets this side's share in the heat between the surfaces [W/m^2], and computes its displacement.
   /// @returns the largest change of the displacement [m]
   double set_share(std::span<const double> flux);
@@ -90,38 +86,21 @@ private:
                         listed(&S::along, {"along_x", "along_y"}, {.is_sized = true, .is_derived = true})};
     }
   };
-  /// Responses to a flux with a given motion, with their buffers.
-  struct Responses
-  {
-    halfspace::HeatMotion motion;
-    halfspace::HeatResponse temperature;
-    std::optional<halfspace::ThermalResponse> displacement;
-    halfspace::HeatResponse::Scratch temperature_scratch;
-    halfspace::ThermalResponse::Scratch displacement_scratch;
-  };
-  [[nodiscard]] Responses& responses();
   [[nodiscard]] bool swells() const { return conducts() && heat_->swells(); }
   using Displacement = BodyHeat::Displacement;
-  [[nodiscard]] std::vector<double> on_contact(const std::vector<double>& thermal_field, const Place& place) const;
-  [[nodiscard]] std::size_t parts() const { return along_surface_ ? 3 : 1; }
   void set_from(const Displacement& thermal_field, Displacement& on_contact_grid) const;
-  void respond(std::span<const double> flux, Displacement& out);
-  [[nodiscard]] std::vector<double> expected_share(double duration) const;
   void impose(std::span<const double> flux);
-  [[nodiscard]] std::vector<double> with_imposed(std::vector<double> share) const;
 
   SurfaceGrid contact_;
-  constitutive::Material material_;
+  double bulk_; ///< temperature far from the contact [deg C]
   std::shared_ptr<BodyHeat> heat_;
   bool is_mirrored_;
-  std::optional<double> reference_;       ///< reference distance of the displacement by a stationary steady flux [m]
-  bool along_surface_;                    ///< whether the displacement along the surface is needed
-  halfspace::HeatMotion motion_{};        ///< of the current step
-  std::list<Responses> cached_responses_; ///< cache, most recently used first
-  Place place_{};                         ///< of the contact grid on the thermal grid
+  bool along_surface_; ///< whether the displacement along the surface is needed
+  FluxResponse response_;
+  Place place_{}; ///< of the contact grid on the thermal grid
   double duration_ = 0.0;
   std::vector<double> remaining_, share_, flux_before_;
-  Displacement remaining_displacement_, own_displacement_; ///< on the contact grid; only the `parts` are filled
+  Displacement remaining_displacement_, own_displacement_; ///< on the contact grid; see FluxResponse::parts
   std::vector<double> imposed_; ///< flux from outside in the current step [W/m^2]; empty: none
   State state_;
 };

@@ -13,7 +13,7 @@ namespace brinell::elastoplastic
 
 Heating::State::BothResponses& Heating::State::combined_response()
 {
-  const std::array<halfspace::HeatMotion, 2> motions{sides[0].motion(), sides[1].motion()};
+  const std::array<halfspace::HeatMotion, 2> motions{sides[0].response().motion(), sides[1].response().motion()};
   const auto known = std::find_if(cached_responses.begin(), cached_responses.end(),
                                   [&](const BothResponses& both) { return both.motions == motions; });
   if (known != cached_responses.end())
@@ -24,7 +24,8 @@ Heating::State::BothResponses& Heating::State::combined_response()
   constexpr std::size_t max_cached = 6;
   if (cached_responses.size() == max_cached)
     cached_responses.pop_back();
-  auto response = halfspace::HeatResponse::of_both(sides[0].temperature_response(), sides[1].temperature_response());
+  auto response =
+      halfspace::HeatResponse::of_both(sides[0].response().temperature(), sides[1].response().temperature());
   auto scratch = response.make_scratch();
   cached_responses.push_front({motions, std::move(response), std::move(scratch)});
   return cached_responses.front();
@@ -42,7 +43,7 @@ std::vector<double> Heating::State::exchanged_flux(const std::vector<double>& he
   const double resisted_share = resistance * settings.share();
   std::vector<double> rhs(heat.size());
   const std::vector<bool> pressed = touching.find(heat, pressure);
-  upper.find_rise(heat, rhs);
+  upper.response().find_rise(heat, rhs);
   double largest = 0.0;
   for (std::size_t i = 0; i < rhs.size(); ++i)
   {
