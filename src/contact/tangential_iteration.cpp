@@ -68,7 +68,7 @@ void TangentialContact::Iteration::start(const TangentialStep& step, const Along
     carry(grid(), step.carried, step.before[1], before_.y);
   }
   read_targets(step);
-  read_entry(step);
+  own_.read(step, cells_, bound_);
   products_ = 0;
   restart({shear[0], shear[1]});
 }
@@ -84,23 +84,6 @@ void TangentialContact::Iteration::read_targets(const TangentialStep& step)
     const Along by_spin = turned(grid(), step.carried, step.drive.spin, static_cast<int>(cell % columns),
                                  static_cast<int>(cell / columns));
     target_.set(i, imposed_ + by_spin - change);
-  }
-}
-
-void TangentialContact::Iteration::read_entry(const TangentialStep& step)
-{
-  const auto& [xx, yy, xy] = step.entry;
-  entry_.clear();
-  largest_entry_ = largest_entry_of_bound_ = 0.0;
-  if (xx.empty())
-    return;
-  for (std::size_t i = 0; i < cells(); ++i)
-  {
-    const std::size_t cell = cells_[i];
-    entry_.push_back({xx[cell], yy[cell], xy[cell]});
-    const double trace = xx[cell] + yy[cell];
-    largest_entry_ = std::max(largest_entry_, trace);
-    largest_entry_of_bound_ = std::max(largest_entry_of_bound_, trace * bound_[i]);
   }
 }
 
@@ -147,7 +130,7 @@ void TangentialContact::Iteration::displace()
     }
   if (!is_zero)
     multiply();
-  gather([&](std::size_t i, const Along& u) { displacement_.set(i, u + displaced_on_entry(i, shear_.at(i))); });
+  gather([&](std::size_t i, const Along& u) { displacement_.set(i, u + own_.displacement(i, shear_.at(i))); });
 }
 
 /// Multiplies `grid_field_` by the compliance.

@@ -3,6 +3,7 @@
 
 #include "brinell/contact/tangential_contact.hpp"
 #include "friction_discs.hpp"
+#include "own_compliance.hpp"
 
 #include <vector>
 
@@ -65,16 +66,6 @@ private:
   [[nodiscard]] std::size_t cells() const { return cells_.size(); }
   void resize();
   void read_targets(const TangentialStep& step);
-  void read_entry(const TangentialStep& step);
-  /// See TangentialStep::entry.
-  [[nodiscard]] Along displaced_on_entry(std::size_t i, const Along& q) const
-  {
-    return entry_.empty() ? Along{} : entry_[i] * q;
-  }
-  [[nodiscard]] double entry_compliance(std::size_t i) const ///< mean of both directions
-  {
-    return entry_.empty() ? 0.0 : 0.5 * (entry_[i].xx + entry_[i].yy);
-  }
   [[nodiscard]] Along shift_of_sticking() const;
   /// The part of a vector along the free directions of a cell: the whole vector, or its component tangential to the disc.
   [[nodiscard]] Along free_part(std::size_t i, const Along& a) const
@@ -113,9 +104,7 @@ private:
   std::vector<std::size_t> cells_; ///< cells that can carry shear
   std::vector<double> bound_;
   double largest_bound_ = 0.0;
-  std::vector<AlongMatrix> entry_;      ///< see TangentialStep::entry; empty: none
-  double largest_entry_ = 0.0;          ///< bound of the norm of these matrices [m/Pa]
-  double largest_entry_of_bound_ = 0.0; ///< bound of the norm of these matrices, each times the bound of its cell [m]
+  OwnCompliance own_;
   std::vector<Zone> zone_;
   AlongField target_; ///< displacement for zero slip, without the part of the shift that an imposed force determines
   AlongField shear_, displacement_, slip_;

@@ -25,7 +25,7 @@ void TangentialContact::Iteration::find_preconditioner_weights()
   for_cells(cells(),
             [&](std::size_t i)
             {
-              const double own = bound_compliance_[i] + entry_compliance(i);
+              const double own = bound_compliance_[i] + own_.mean(i);
               const double share = 1.0 / (1.0 + cell * own);
               soft_[i] = std::sqrt(share);
               stiff_[i] = std::sqrt((1.0 - share) * mean_compliance_ / (mean_compliance_ + own));
@@ -81,7 +81,7 @@ double TangentialContact::Iteration::find_direction()
   }
   scatter([&](std::size_t i) { return direction_.at(i); });
   multiply();
-  gather([&](std::size_t i, const Along& u) { image_.set(i, u + displaced_on_entry(i, direction_.at(i))); });
+  gather([&](std::size_t i, const Along& u) { image_.set(i, u + own_.displacement(i, direction_.at(i))); });
   const auto curvature_of_cell = [&](std::size_t i)
   {
     const Along d = direction_.at(i);
@@ -99,7 +99,7 @@ double TangentialContact::Iteration::excess_allowed(double error) const
   const double all = static_cast<double>(grid().size()) * grid().cell_area();
   const double share =
       std::min(1.0, 2.0 * std::sqrt(area / (std::numbers::pi * all))); // of the response to the longest wave
-  return 0.1 * error / (largest_bound_ * compliance_.largest_of_shear() * share + largest_entry_of_bound_);
+  return 0.1 * error / (largest_bound_ * compliance_.largest_of_shear() * share + own_.largest_displacement());
 }
 
 bool TangentialContact::Iteration::advance(double step, double error)
@@ -166,7 +166,7 @@ bool TangentialContact::Iteration::retreat()
 void TangentialContact::Iteration::follow_gradient()
 {
   slope_ = 0.0;
-  const double step = 1.0 / (compliance_.largest_of_shear() + largest_entry_);
+  const double step = 1.0 / (compliance_.largest_of_shear() + own_.largest());
   for_cells(cells(),
             [&](std::size_t i)
             {
@@ -195,7 +195,7 @@ void TangentialContact::Iteration::move_worst()
             [&](std::size_t i)
             {
               const Along wrong = wrong_part(i);
-              const double own = stiffness / (1.0 + stiffness * entry_compliance(i));
+              const double own = stiffness / (1.0 + stiffness * own_.mean(i));
               shear_.set(i, saved_shear_.at(i) + (square(wrong) >= near * largest ? own : 0.0) * wrong);
             });
   bound_shears(true);
