@@ -42,9 +42,8 @@ public:
   [[nodiscard]] std::vector<double> slip_length() const;
   /// Magnitude of the shear [Pa].
   [[nodiscard]] std::vector<double> shear() const;
-  /// Pressure, and shear, under which slip begins in the increment [Pa]; empty where all slip is done under those at its end.
-  [[nodiscard]] std::vector<double> pressure_of_onset() const;
-  [[nodiscard]] std::vector<double> shear_of_onset() const;
+  /// Of the slip in the increment.
+  [[nodiscard]] Interface::Onset onset() const;
 
 private:
   const Interface* friction_;

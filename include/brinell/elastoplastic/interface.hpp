@@ -71,15 +71,19 @@ public:
     bool is_solved = true;
     bool is_overloaded = false; ///< friction cannot carry the imposed force
   };
+  /// Pressure and shear under which slip begins in an increment [Pa]; empty where it begins under those at its end.
+  struct Onset
+  {
+    std::vector<double> pressure, shear;
+  };
 
   /// Unit vector along which an increment drives the surface of the lower body; zero: no direction.
   [[nodiscard]] virtual std::array<double, 2> direction(const contact::TangentialDrive& along) const = 0;
   virtual void begin(Start start) = 0;
   /// Replaces the largest shear that the surfaces can carry in each cell [Pa]: within an increment it follows their hardening.
   virtual void set_limit(std::vector<double> limit) = 0;
-  /// Whether `follow` needs the residual displacements.
-  [[nodiscard]] virtual bool follows_displacement() const = 0;
-  /// Computes the shear for a pressure and residual displacements, and the displacement that it adds to the gap.
+  /// Computes the shear for a pressure and, unless the slip is known, residual displacements, and the displacement that it adds to
+  /// the gap.
   virtual Change follow(const Bodies& bodies) = 0;
   /// Coulomb's law does not derive from an energy. With `Start::holds_law` the bound of the shear, which follows the pressure, is
   /// held fixed, so that the remaining problem has an energy; this function updates the bound to the present pressure.
@@ -88,12 +92,10 @@ public:
   /// Contribution of the shear to the energy of the increment, apart from its work on residual displacements, with the law held
   /// [J].
   [[nodiscard]] virtual double held_energy() const = 0;
-  /// Whether shear changes the gap.
-  [[nodiscard]] virtual bool moves_gap() const = 0;
   /// Error of the gap that the shear tolerates [m]; smaller than usual where errors of the gap become errors of the slip.
   /// @param usual  tolerance of the gap without regard to shear [m]
   [[nodiscard]] virtual double tolerance_of_gap(double usual) const { return usual; }
-  /// Adds to the gap the normal displacement due to the shear [m].
+  /// Adds to the gap the normal displacement due to the shear, if there is one [m].
   virtual void add_to_gap(std::span<double> gap) const = 0;
   /// Ends an increment.
   virtual void settle(const Bodies& bodies) = 0;
@@ -110,9 +112,8 @@ public:
   /// Pressure before the current increment, on the points that lie in each cell at its end [Pa].
   /// @param last  pressure on the points that lay there then [Pa]
   [[nodiscard]] virtual std::span<const double> pressure_before(std::span<const double> last) const { return last; }
-  /// Pressure, or shear, under which slip begins in the current increment [Pa]; empty where it begins under that at its end.
-  [[nodiscard]] virtual std::vector<double> pressure_of_onset(std::span<const double> /*pressure*/) const { return {}; }
-  [[nodiscard]] virtual std::vector<double> shear_of_onset() const { return {}; }
+  /// Of the slip in the current increment.
+  [[nodiscard]] virtual Onset onset(std::span<const double> /*pressure*/) const { return {}; }
   /// Friction work per area in the current increment, by the trial, for the heat that acts back on it [J/m^2].
   [[nodiscard]] virtual std::vector<double> heat_of_trial(double slid) const = 0;
   /// Heat of friction per area in the increment, after `settle`, with that of points that left the contact [J/m^2].

@@ -25,11 +25,9 @@ public:
   [[nodiscard]] std::array<double, 2> direction(const contact::TangentialDrive& along) const override;
   void begin(Start start) override;
   void set_limit(std::vector<double> limit) override { limit_ = std::move(limit); }
-  [[nodiscard]] bool follows_displacement() const override { return false; }
   Change follow(const Bodies& bodies) override;
   Change renew(const Bodies& bodies) override;
   [[nodiscard]] double held_energy() const override { return 0.0; }
-  [[nodiscard]] bool moves_gap() const override { return lower_weight_ != upper_weight_; }
   void add_to_gap(std::span<double> gap) const override;
   /// Ends an increment: adds the work of its shear to `work`.
   void settle(const Bodies& bodies) override;

@@ -59,8 +59,7 @@ void solve_frictional_contact(ContactParts& c, const Task& task, bool closing, I
   for (int turn = 1;; ++turn)
   {
     std::copy(without_shear.begin(), without_shear.end(), c.distance.begin());
-    if (c.interface->moves_gap())
-      c.interface->add_to_gap(c.distance);
+    c.interface->add_to_gap(c.distance);
     if (c.heating)
       c.heating->add_to_gap(c.distance);
     for (const std::unique_ptr<Effect>& effect : c.effects)

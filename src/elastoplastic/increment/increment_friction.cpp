@@ -78,7 +78,7 @@ std::vector<double> shear_limit(const ContactParts& c, const Placement& placemen
 
 Interface::Change follow(ContactParts& c, const Placement& placement)
 {
-  if (!c.interface->follows_displacement())
+  if (c.interface->knows_slip())
     return c.interface->follow({.pressure = c.state.pressure, .lower_x = {}, .upper_x = {}});
   Interface::Change change;
   with_bodies(c, placement, [&](const Interface::Bodies& bodies) { change = c.interface->follow(bodies); });

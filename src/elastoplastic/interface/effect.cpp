@@ -31,14 +31,9 @@ std::vector<double> Interaction::shear() const
   return shear;
 }
 
-std::vector<double> Interaction::pressure_of_onset() const
+Interface::Onset Interaction::onset() const
 {
-  return friction_ != nullptr ? friction_->pressure_of_onset(pressure_) : std::vector<double>();
-}
-
-std::vector<double> Interaction::shear_of_onset() const
-{
-  return friction_ != nullptr ? friction_->shear_of_onset() : std::vector<double>();
+  return friction_ != nullptr ? friction_->onset(pressure_) : Interface::Onset{};
 }
 
 } // namespace brinell::elastoplastic

@@ -144,7 +144,7 @@ SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pre
     state_.shear[i] = shear;
   }
   state_.limited_share = pressed > 0 ? static_cast<double>(limited) / static_cast<double>(pressed) : 0.0;
-  if (!moves_gap())
+  if (lower_weight_ == upper_weight_) // shear does not change the gap
     return change;
   const std::vector<double> before = state_.depth;
   displace(unit_, {.shear_x = state_.shear}, {.z = state_.depth});
@@ -156,7 +156,8 @@ SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pre
 
 void SlidingInterface::add_to_gap(std::span<double> gap) const
 {
-  add(lower_weight_ - upper_weight_, state_.depth, gap);
+  if (lower_weight_ != upper_weight_)
+    add(lower_weight_ - upper_weight_, state_.depth, gap);
 }
 
 /// Pressure displaces both surfaces in the same direction along x, in proportion to their weights; shear displaces them in

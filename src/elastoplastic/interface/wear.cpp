@@ -45,15 +45,14 @@ Line line_of(const WearLaw& law, double pressure, double shear)
 /// Intensity of wear under which the points of surfaces that may stick begin to slip [Pa]; empty for others.
 std::vector<double> intensity_of_onset(const WearLaw& law, const Interaction& trial)
 {
+  Interface::Onset onset = trial.onset();
   if (law.kind == WearLaw::Kind::energy)
-    return trial.shear_of_onset();
-  std::vector<double> onset = trial.pressure_of_onset();
-  if (law.kind == WearLaw::Kind::archard || onset.empty())
-    return onset;
-  const std::vector<double> shear = trial.shear_of_onset();
-  for (std::size_t i = 0; i < onset.size(); ++i)
-    onset[i] = onset[i] > 0.0 ? law.intensity(onset[i], shear[i]) : 0.0;
-  return onset;
+    return std::move(onset.shear);
+  if (law.kind == WearLaw::Kind::archard)
+    return std::move(onset.pressure);
+  for (std::size_t i = 0; i < onset.pressure.size(); ++i)
+    onset.pressure[i] = onset.pressure[i] > 0.0 ? law.intensity(onset.pressure[i], onset.shear[i]) : 0.0;
+  return std::move(onset.pressure);
 }
 
 } // namespace

@@ -90,7 +90,7 @@ public:
     current_ = {};
     work_before_ = work_along_;
     if (slip != nullptr)
-      paths_.begin(stepper.pair().grid(), slip->path());
+      paths_.begin(stepper.pair().grid(), slip->state().path);
   }
 
   void summarise(FrettingSummary& summary, const StepFields& /*end*/) const { summary.cycles = cycles_; }
@@ -176,7 +176,7 @@ private:
 
   void read(const elastoplastic::PartialSlip& slip, FrettingRecord& r)
   {
-    const auto [x, y] = slip.shift();
+    const auto [x, y] = slip.state().shift;
     const auto [F_x, F_y] = slip.forces();
     r.displacement = x * cos_ + y * sin_;
     r.F_x = F_x;
@@ -196,7 +196,7 @@ private:
     c.max_force = current_.largest_magnitude(&R::force);
     c.max_displacement = current_.largest_magnitude(&R::displacement);
     if (const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip())
-      c.slip_amplitude = 0.25 * paths_.largest_growth(stepper.pair().grid(), slip->path());
+      c.slip_amplitude = 0.25 * paths_.largest_growth(stepper.pair().grid(), slip->state().path);
     c.stick_share = current_.smallest(&R::stick_share);
     c.max_equivalent_plastic_strain = current_.last(&R::max_equivalent_plastic_strain);
     return c;

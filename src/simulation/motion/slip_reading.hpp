@@ -13,12 +13,13 @@ namespace brinell::simulation
 template <typename Record>
 void read_slip(const elastoplastic::PartialSlip& slip, double& work, Record& r)
 {
-  r.work += slip.work() - work;
-  work = slip.work();
-  r.dissipation_friction = slip.heat();
-  r.stick_share = slip.pressed_cells() > 0 ? static_cast<double>(slip.sticking_cells()) / slip.pressed_cells() : 0.0;
+  const elastoplastic::SlipState& state = slip.state();
+  r.work += state.work - work;
+  work = state.work;
+  r.dissipation_friction = state.total_heat;
+  r.stick_share = state.pressed > 0 ? static_cast<double>(state.sticking) / state.pressed : 0.0;
   r.stick_area = r.stick_share * r.contact_area;
-  r.slip_path = *std::max_element(slip.path().begin(), slip.path().end());
+  r.slip_path = *std::max_element(state.path.begin(), state.path.end());
 }
 
 } // namespace brinell::simulation

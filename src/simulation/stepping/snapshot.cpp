@@ -157,9 +157,9 @@ void set_shear(const elastoplastic::CoupledContact& pair, Snapshot& snapshot)
   if (partial == nullptr)
     return;
   for (std::size_t axis = 0; axis < 2; ++axis)
-    snapshot.slip[axis] = copy(partial->slips()[axis]);
-  snapshot.slip_path = copy(partial->path());
-  snapshot.friction_heat = copy(partial->heat_per_area());
+    snapshot.slip[axis] = copy(partial->state().slip[axis]);
+  snapshot.slip_path = copy(partial->state().path);
+  snapshot.friction_heat = copy(partial->state().heat);
 }
 
 } // namespace brinell::simulation

@@ -81,7 +81,7 @@ TEST(PartialSlipTest, ElasticBodiesAreThoseOfTheFrictionalContact)
     for (const auto& [depth, x, y] :
          {std::array{3.0, 0.0, 0.0}, {6.0, 0.2, 0.1}, {6.0, 0.5, 0.1}, {5.0, -0.3, 0.4}, {5.0, 0.2, 0.4}})
     {
-      const double sx = x * sliding_shift, sy = y * sliding_shift, before = interface_of(press).heat();
+      const double sx = x * sliding_shift, sy = y * sliding_shift, before = interface_of(press).state().total_heat;
       ASSERT_TRUE(press.press(depth, accelerated(options), 0, shift(sx, sy)).converged);
       const contact::FrictionReport report =
           reference.step(press.rigid_gap(depth), {}, shift(sx - before_x, sy - before_y), 0.4, tolerances, state, gap,
@@ -91,7 +91,7 @@ TEST(PartialSlipTest, ElasticBodiesAreThoseOfTheFrictionalContact)
       const bool bound_stays = stiffness == 1.0 && (x == 0.5 || sx - before_x == 0.5 * sliding_shift);
       if (bound_stays)
       {
-        EXPECT_NEAR(interface_of(press).heat() - before, report.tangential.dissipated,
+        EXPECT_NEAR(interface_of(press).state().total_heat - before, report.tangential.dissipated,
                     1e-6 * report.tangential.dissipated);
       }
       before_x = sx;
@@ -101,9 +101,9 @@ TEST(PartialSlipTest, ElasticBodiesAreThoseOfTheFrictionalContact)
     expect_near(copy(shear_x), state.shear_x, 1e-6, "shear along x");
     expect_near(copy(shear_y), state.shear_y, 1e-6, "shear along y");
     expect_near(copy(press.contact().pressure()), state.pressure, 1e-6, "pressure");
-    EXPECT_GT(interface_of(press).sticking_cells(), 0);
-    EXPECT_LT(interface_of(press).sticking_cells(), interface_of(press).pressed_cells());
-    EXPECT_GT(interface_of(press).heat(), 0.0);
+    EXPECT_GT(interface_of(press).state().sticking, 0);
+    EXPECT_LT(interface_of(press).state().sticking, interface_of(press).state().pressed);
+    EXPECT_GT(interface_of(press).state().total_heat, 0.0);
   }
 }
 
@@ -120,8 +120,8 @@ TEST(PartialSlipTest, EqualBodiesThatAreOnlyPressedHaveNoShear)
   EXPECT_EQ(copy(press.contact().pressure()), copy(smooth.contact().pressure()));
   EXPECT_EQ(press.contact().lower().state().plastic_strain, smooth.contact().lower().state().plastic_strain);
   EXPECT_EQ(force_x(press), 0.0);
-  EXPECT_EQ(interface_of(press).heat(), 0.0);
-  EXPECT_EQ(interface_of(press).sticking_cells(), interface_of(press).pressed_cells());
+  EXPECT_EQ(interface_of(press).state().total_heat, 0.0);
+  EXPECT_EQ(interface_of(press).state().sticking, interface_of(press).state().pressed);
 }
 
 TEST(PartialSlipTest, FarShiftsAreFullSliding)
@@ -147,7 +147,7 @@ TEST(PartialSlipTest, FarShiftsAreFullSliding)
       ASSERT_TRUE(press.press(depth, accelerated(options), 0, shift(way)).converged);
       ASSERT_TRUE(sliding.press(depth, accelerated(options)).converged);
     }
-    EXPECT_EQ(interface_of(press).sticking_cells(), 0);
+    EXPECT_EQ(interface_of(press).state().sticking, 0);
     EXPECT_NEAR(force_x(press) / sliding.contact().sliding()->force(), 1.0, 1e-5);
     EXPECT_NEAR(press.load() / sliding.load(), 1.0, 1e-5);
     expect_near(copy(interface_of(press).shears()[0]), copy(sliding.contact().sliding()->shear()), 1e-3, "shear");
@@ -170,9 +170,9 @@ TEST(PartialSlipTest, WithoutLimitOfFrictionAllSticks)
   SpherePress press(options);
   for (const auto& [depth, x] : {std::array{3.0, 0.0}, {5.0, 0.2}, {5.0, -0.2}})
     ASSERT_TRUE(press.press(depth, accelerated(options), 0, shift(x * sliding_shift)).converged);
-  EXPECT_EQ(interface_of(press).sticking_cells(), interface_of(press).pressed_cells());
-  EXPECT_EQ(interface_of(press).heat(), 0.0);
-  EXPECT_EQ(largest(copy(interface_of(press).path())), 0.0);
+  EXPECT_EQ(interface_of(press).state().sticking, interface_of(press).state().pressed);
+  EXPECT_EQ(interface_of(press).state().total_heat, 0.0);
+  EXPECT_EQ(largest(copy(interface_of(press).state().path)), 0.0);
   EXPECT_LT(force_x(press), 0.0);
 }
 
@@ -197,7 +197,7 @@ TEST(PartialSlipTest, SwappedBodiesAndTheOtherWayAreTheSameContact)
       q = -q;
     expect_near(copy(interface_of(press).shears()[axis]), opposite, 1e-5, "shear");
   }
-  EXPECT_NEAR(interface_of(press).heat() / interface_of(swapped).heat(), 1.0, 1e-5);
+  EXPECT_NEAR(interface_of(press).state().total_heat / interface_of(swapped).state().total_heat, 1.0, 1e-5);
   expect_near(press.contact().lower().state().plastic_strain, swapped.contact().upper().state().plastic_strain, 1e-5,
               "plastic strain");
 }
@@ -233,9 +233,9 @@ TEST(PartialSlipTest, DescentUnderAHeldBoundFindsTheSameSolution)
       expect_near(watched.contact().lower().state().plastic_strain, fast.contact().lower().state().plastic_strain, 1e-3,
                   "plastic strain");
       // Of the cells that slip none is missing.
-      expect_near(copy(interface_of(watched).path()), copy(interface_of(fast).path()), 1e-3, "way slipped");
-      EXPECT_NEAR(interface_of(watched).heat() / interface_of(fast).heat(), 1.0, 1e-3);
-      EXPECT_EQ(interface_of(watched).sticking_cells(), interface_of(fast).sticking_cells());
+      expect_near(copy(interface_of(watched).state().path), copy(interface_of(fast).state().path), 1e-3, "way slipped");
+      EXPECT_NEAR(interface_of(watched).state().total_heat / interface_of(fast).state().total_heat, 1.0, 1e-3);
+      EXPECT_EQ(interface_of(watched).state().sticking, interface_of(fast).state().sticking);
     }
 }
 
@@ -287,9 +287,9 @@ TEST(PartialSlipTest, ForceAndShiftAreTheSameContact)
     ASSERT_TRUE(shifted.press(5.0, accelerated(options), 0, shift(x * sliding_shift)).converged);
     const auto [fx, fy] = interface_of(shifted).forces();
     ASSERT_TRUE(forced.press(5.0, accelerated(options), 0, force(fx, fy)).converged);
-    EXPECT_NEAR(interface_of(forced).shift()[0], x * sliding_shift, 1e-5 * sliding_shift);
+    EXPECT_NEAR(interface_of(forced).state().shift[0], x * sliding_shift, 1e-5 * sliding_shift);
   }
-  EXPECT_NEAR(interface_of(forced).work() / interface_of(shifted).work(), 1.0, 1e-4);
+  EXPECT_NEAR(interface_of(forced).state().work / interface_of(shifted).state().work, 1.0, 1e-4);
 }
 
 } // namespace
