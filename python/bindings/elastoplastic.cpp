@@ -182,7 +182,7 @@ void bind_contact_state(nb::class_<Pair>& pair)
                 [](const auto& c)
                 {
                   const auto* sliding = c.sliding();
-                  return sliding != nullptr ? copy_of(sliding->shear(), shape(c.grid()))
+                  return sliding != nullptr ? copy_of(sliding->shears()[0], shape(c.grid()))
                                             : array(std::vector<double>(c.grid().size()), shape(c.grid()));
                 });
           },

@@ -34,12 +34,9 @@ public:
   void restore() override { state_ = before_; }
 
   [[nodiscard]] contact::ConstAlongSurface shears() const override { return {state_.shear, {}}; }
-  [[nodiscard]] std::array<double, 2> forces() const override { return {force(), 0.0}; }
+  [[nodiscard]] std::array<double, 2> forces() const override;
   [[nodiscard]] double elastic_energy(std::span<const double> pressure) const override;
   [[nodiscard]] double limited_share() const override { return state_.limited_share; }
-  [[nodiscard]] std::span<const double> shear() const { return state_.shear; } ///< along x [Pa]
-  /// Sum of the shear on the lower body [N].
-  [[nodiscard]] double force() const;
   /// Force along x on the lower body of the shear with which the surfaces slid at the beginning of the current or last
   /// increment [N]. It opposes the motion of this increment: at a reversal, it has changed its sign before the surfaces
   /// move; surfaces that begin to slide have the full shear of their pressure.

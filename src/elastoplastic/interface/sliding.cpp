@@ -248,9 +248,9 @@ double SlidingInterface::elastic_energy(std::span<const double> pressure) const
   return (coupling + 0.5 * dot(pair_.grid(), state_.shear, along)) * pair_.grid().cell_area();
 }
 
-double SlidingInterface::force() const
+std::array<double, 2> SlidingInterface::forces() const
 {
-  return sum(state_.shear) * pair_.grid().cell_area();
+  return {sum(state_.shear) * pair_.grid().cell_area(), 0.0};
 }
 
 double SlidingInterface::force_at_start() const

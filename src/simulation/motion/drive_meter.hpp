@@ -50,7 +50,7 @@ public:
   {
     const double load = pair.load(), approach = pair.approach();
     work_at_rest_ = 0.5 * (load + last_.F_n) * (approach - last_.approach);
-    const auto [F_x, shear] = along_x(pair.sliding()->force());
+    const auto [F_x, shear] = along_x(pair.sliding()->forces()[0]);
     last_ = {last_.x, approach, load, F_x, shear};
   }
   /// The work up to the end of a step, from which the next one begins.

@@ -38,7 +38,7 @@ PressOptions elastic_pair(double coefficient, double upper_stiffness)
 
 std::vector<double> shear_of(const SpherePress& press)
 {
-  return copy(press.contact().sliding()->shear());
+  return copy(press.contact().sliding()->shears()[0]);
 }
 
 TEST(SlidingTest, GapOfDissimilarBodiesHasTheShearInIt)
@@ -183,7 +183,7 @@ TEST(SlidingTest, FailedIncrementLeavesNothingBehind)
   EXPECT_EQ(press.contact().sliding()->work(), work);
   EXPECT_EQ(press.contact().lower().state().residual_displacement_x, state.residual_displacement_x);
   ASSERT_TRUE(press.press(4.0, Strategy{}, 0, {}, false).converged);
-  EXPECT_EQ(press.contact().sliding()->force(), 0.0);
+  EXPECT_EQ(press.contact().sliding()->forces()[0], 0.0);
 }
 
 /// Expects friction times pressure, or the shear strength of the softer surface where it is smaller.
@@ -255,7 +255,8 @@ TEST(SlidingTest, WorkOfTheShearIsStoredOrDissipated)
   const auto depth = [&]
   {
     std::vector<double> u(press.contact().grid().size());
-    compliance.apply({.pressure = press.contact().pressure(), .shear_x = press.contact().sliding()->shear()}, {.z = u});
+    compliance.apply({.pressure = press.contact().pressure(), .shear_x = press.contact().sliding()->shears()[0]},
+                     {.z = u});
     return u;
   };
   const double energy = press.contact().elastic_energy();
