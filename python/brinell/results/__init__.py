@@ -15,7 +15,8 @@ result raises a `RunError` that says where the problem is.
     brinell.open("results/fretted").cycles[-1].work          # "fretting"
 
 Modules: `opening`, `run` (the result; `brinell.scenarios` has the parts that are specific to a scenario), `history`,
-`result_file` (result.vtkhdf), `snapshots` (the fields of a state), `fields` and `labelled` (a field over all states),
+`result_file` (result.vtkhdf), `snapshots` (the fields of a state), `surface_fields` (those that exist where friction,
+heat, wear or a current acts), `fields` and `labelled` (a field over all states),
 `points` (histories at points).
 """
 
@@ -28,6 +29,7 @@ from brinell.results.opening import open_run
 from brinell.results.points import PointHistory
 from brinell.results.run import Run
 from brinell.results.snapshots import COMPONENTS, BodyFields, ContactFields, Snapshot
+from brinell.results.surface_fields import FieldsOfBody, FieldsOfContact
 from brinell.scenarios import Scenario
 from brinell.scenarios.lists import FrettingCycle, Indent, RollingPass, SlidingStroke
 from brinell.scenarios.rolling import TrackProfile
@@ -41,6 +43,8 @@ __all__ = [
     "BodyFields",
     "ContactFields",
     "CriticalValues",
+    "FieldsOfBody",
+    "FieldsOfContact",
     "FrettingCycle",
     "History",
     "Indent",
