@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 using namespace brinell;
@@ -122,11 +123,14 @@ bool evaluate(Parts& parts, double load, int evaluation)
 }
 
 /// One increment.
+/// @param pressed  load before it [N]
 /// @returns number of evaluations
-int advance(Parts& parts, double load)
+int advance(Parts& parts, double load, double pressed)
 {
   elastoplastic::Body& body = parts.body;
-  body.begin(0, stiffness_share);
+  using Guess = elastoplastic::Body::Guess;
+  const bool lifts = load < pressed; // then the flow does not go on
+  body.begin(0, stiffness_share, lifts ? Guess::stress : Guess::last_increment);
   std::printf("step to %g N\nguess: q up to %.1f MPa in %zu cells\n", load, 1e-6 * largest_of_active(body.trial()),
               body.active().size());
   std::printf("      plastic    residual  pressure    stress      g(q)  |g(q) - q|\n"
@@ -150,9 +154,10 @@ int main()
   Parts parts;
   elastoplastic::CoupledContact coupled(surface, volume, volume, steel, rigid, {scale, scale}, settings);
   bool is_same = true;
+  double pressed = 0.0;
   for (const double load : loads)
   {
-    const int evaluations = advance(parts, load);
+    const int evaluations = advance(parts, load, std::exchange(pressed, load));
     const elastoplastic::IncrementReport report =
         coupled.advance(parts.ball, {contact::Drive::Kind::load, load}, {}, {.stiffness_share = stiffness_share});
     is_same = is_same && report.converged && report.evaluations == evaluations &&
