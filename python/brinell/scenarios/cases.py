@@ -60,8 +60,9 @@ class Tugging(ScenarioCase):
                 and the load in units of the critical load P_c; needs a body that can yield, and bodies whose relative
                 curvature is the same along x and y, or cylinders in plane strain. Default: True.
             shift: Arc by which the contact moves on each body per step (mean of both bodies). Preferably a whole
-                multiple of dx / 2; otherwise the surfaces are interpolated between cells. In m, > 0; default: one cell,
-                dx.
+                multiple of dx / 2; otherwise the surfaces are interpolated between cells. Under a load dx, or a shift
+                that is not a multiple of it, is made to fit the way on which the bodies touch. In m, > 0; default: one
+                cell, dx.
             kinematics: Relation of arc and sliding distance. exact: X = omega tan(theta); paper: Eqs. 9-13 of Boucly,
                 Nelias, Green (2006). Default: "exact".
             passes: Number of passes of the upper body; after each pass it returns to the start, and both bodies keep

@@ -52,7 +52,8 @@ std::vector<Entry> tugging_keys()
              .of = kind::length.above(0.0),
              .unset = "one cell, dx",
              .text = "Arc by which the contact moves on each body per step (mean of both bodies). Preferably a whole "
-                     "multiple of dx / 2; otherwise the surfaces are interpolated between cells."},
+                     "multiple of dx / 2; otherwise the surfaces are interpolated between cells. Under a load dx, or a "
+                     "shift that is not a multiple of it, is made to fit the way on which the bodies touch."},
             &TuggingCase::shift),
       bound({.key = "tugging.kinematics",
              .choices = {"exact", "paper"},

@@ -22,9 +22,9 @@ class Tugging
 {
 public:
   Tugging(const TuggingCase& tugging, const TuggingPlan& plan)
-      : case_(tugging), plan_(plan), cells_(relative_cells(tugging, plan.contact.dx)),
-        passing_(passing(tugging, plan.contact.dx)), sum_(passing_.radius_lower() + passing_.radius_upper()),
-        position_(passing_.start(0)), lead_(lead_steps())
+      : case_(tugging), plan_(plan), cells_(relative_cells(plan.shift, plan.contact.dx)),
+        passing_(passing(tugging, plan.shift, plan.contact.dx)),
+        sum_(passing_.radius_lower() + passing_.radius_upper()), position_(passing_.start(0)), lead_(lead_steps())
   {
   }
 

@@ -210,6 +210,28 @@ double required_radius(const char* body, const Shape& shape)
   return *radius;
 }
 
+/// Cells, and the mean arc of a step on the bodies [m].
+struct StepsOfPass
+{
+  std::array<double, 3> cells{};
+  double shift = 0.0;
+};
+
+/// Under a load a pass is as long as rigid bodies would touch, and the load rises and falls by place: steps end where it does.
+/// docs/theory/simulation.md (steps that fit the way)
+StepsOfPass steps_of_pass(const TuggingCase& tugging, const std::array<double, 3>& cells)
+{
+  const double shift = tugging.shift.value_or(cells[0]);
+  const Passing wanted = passing(tugging, shift, cells[0]);
+  if (!tugging.load)
+    return {cells, shift};
+  // Of both bodies together, from first touch to alignment; so is what a step moves.
+  const double arc = wanted.angle_at_touch() * (wanted.radius_lower() + wanted.radius_upper());
+  const std::optional<double> both = tugging.shift ? std::optional(2.0 * shift) : std::nullopt;
+  const StepsOnWay steps = steps_on_way(tugging, cells, {.shift = both}, arc, 1, "`TuggingCase::load`");
+  return {steps.cells, both ? 0.5 * steps.shift : steps.cells[0]};
+}
+
 } // namespace
 
 std::optional<double> passing_radius(const Shape& shape)
@@ -241,22 +263,22 @@ double elastic_approach(const ShapedBody& lower, const ShapedBody& upper, double
   return smooth_footprint(lower, upper, {contact::Drive::Kind::load, load}, domain).approach;
 }
 
-double relative_cells(const TuggingCase& tugging, double dx)
+double relative_cells(double shift, double dx)
 {
   constexpr double rounding = 1e-6;
-  const double cells = 2.0 * tugging.shift.value_or(dx) / dx;
+  const double cells = 2.0 * shift / dx;
   const double whole = std::round(cells);
   if (!(cells > 0.0))
     throw InputError(fmt::format("`TuggingCase::shift` = {:g} m; allowed: > 0", cells * 0.5 * dx));
   return std::abs(cells - whole) <= rounding * cells ? whole : cells;
 }
 
-Passing passing(const TuggingCase& tugging, double dx)
+Passing passing(const TuggingCase& tugging, double shift, double dx)
 {
   return {required_radius("lower", tugging.lower.shape),
           required_radius("upper", tugging.upper.shape),
           closest_approach(tugging).interference,
-          relative_cells(tugging, dx),
+          relative_cells(shift, dx),
           dx,
           tugging.kinematics};
 }
@@ -270,9 +292,9 @@ TuggingPlan plan(const TuggingCase& tugging)
     static_cast<void>(required_radius(name, body->shape));
   const Pair pair = pair_of(tugging);
   constexpr double aspect = 2.0; // cells may be longer across the motion: this costs half a percent of the net energy
-  const std::array<double, 3> cell = cell_sizes(tugging, pair.contact, aspect);
+  const auto [cell, shift] = steps_of_pass(tugging, cell_sizes(tugging, pair.contact, aspect));
   const double dx = cell[0];
-  const Passing pass = passing(tugging, dx);
+  const Passing pass = passing(tugging, shift, dx);
   if (!(pair.texture.height < std::min(pass.radius_lower(), pass.radius_upper())))
     throw InputError(fmt::format("the textures are together {:g} m high on bodies of {:g} and {:g} m radius; allowed: "
                                  "less than either",
@@ -287,7 +309,7 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.texture_height = pair.texture.height;
   plan.steps_per_pass = pass.step_count();
   plan.steps = tugging.passes * (plan.steps_per_pass + 1);
-  const double cells = relative_cells(tugging, dx);
+  const double cells = relative_cells(shift, dx);
   plan.twin =
       is_mirrored(tugging, pass.start(0), cells, dx) ? elastoplastic::Twin::mirror_image : elastoplastic::Twin::none;
   mirror_grids(is_solved_by_halves(tugging, plan.contact, tugging.offset != 0.0), plan);

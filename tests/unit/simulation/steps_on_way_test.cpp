@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/sliding.hpp"
+#include "brinell/simulation/tugging.hpp"
 #include "scenario_checks.hpp"
 #include "sliding_cases.hpp"
 
@@ -11,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// Steps of rolling and sliding end where the way does: docs/theory/simulation.md (steps that fit the way).
+/// Steps of rolling, sliding and tugging under a load end where the way does: docs/theory/simulation.md (steps that fit the way).
 namespace brinell::simulation::steps_on_way_test
 {
 namespace
@@ -210,6 +211,66 @@ TEST(StepsOnWay, PlasticWorkGrowsWithTheDistanceWithoutJumps)
   const double mean = (work.back() - work.front()) / (count - 1);
   for (int i = 1; i < count; ++i)
     EXPECT_NEAR((work[static_cast<std::size_t>(i)] - work[static_cast<std::size_t>(i) - 1]) / mean, 1.0, 0.3) << i;
+}
+
+/// Two balls, of which one passes the other under a load.
+TuggingCase tugging(double load, double resolution)
+{
+  TuggingCase c;
+  c.lower = {Paraboloid{1e-3, 1e-3}, cases::soft_steel};
+  c.upper = {Paraboloid{1.5e-3, 1.5e-3}, {{210e9, 0.3}, {}}};
+  c.load = load;
+  c.interference = elastic_approach(c.lower, c.upper, load);
+  c.resolution = resolution;
+  return c;
+}
+
+/// Way of both bodies from first touch to alignment [m].
+double way_of_tugging(const TuggingCase& c)
+{
+  const double sum = 2.5e-3;
+  return sum * std::acos(1.0 - c.interference / sum);
+}
+
+TEST(StepsOnWay, OfTuggingUnderALoadBeginAndEndWithIt)
+{
+  for (double load = 1.0; load < 60.0; load *= 1.37)
+    for (const double resolution : {3.0, 5.3, 8.0, 11.31})
+    {
+      const TuggingCase c = tugging(load, resolution);
+      const TuggingPlan p = plan(c);
+      const double way = way_of_tugging(c), cells = way / p.contact.dx;
+      SCOPED_TRACE(cells);
+      EXPECT_NEAR(cells, 2.0 * std::round(0.5 * cells), 1e-8);
+      EXPECT_EQ(p.shift, p.contact.dx);
+      EXPECT_EQ(p.steps_per_pass, std::lround(cells));
+      const double wanted = p.elastic_contact_radius / resolution;
+      EXPECT_LE(p.contact.dx, wanted * (1.0 + 1e-9)) << "not coarser than asked for";
+      EXPECT_GT(p.contact.dx, wanted / (1.0 + 2.0 * wanted / way) * (1.0 - 1e-9)) << "finer by two cells at most";
+    }
+}
+
+TEST(StepsOnWay, OfTuggingWithAShiftBetweenCellsAreMadeToFit)
+{
+  TuggingCase c = tugging(10.0, 6.0);
+  const double wanted = plan(c).elastic_contact_radius / 6.0;
+  c.shift = 0.7 * wanted;
+  const TuggingPlan p = plan(c);
+  const double steps = way_of_tugging(c) / (2.0 * p.shift);
+  EXPECT_NEAR(steps, std::round(steps), 1e-8);
+  EXPECT_NEAR(p.shift / *c.shift, 1.0, 0.5 / std::round(steps) * 1.05);
+  EXPECT_EQ(p.steps_per_pass, 2 * std::lround(steps));
+}
+
+TEST(StepsOnWay, OfTuggingWithGivenCellsOrAtConstantHeightKeepTheCells)
+{
+  TuggingCase c = tugging(10.0, 6.0);
+  c.spacing = {{4e-6, 4e-6, 2e-6}};
+  EXPECT_EQ(plan(c).contact.dx, 4e-6);
+  EXPECT_EQ(plan(c).shift, 4e-6);
+  c.spacing.reset();
+  c.load.reset();
+  EXPECT_NEAR(plan(c).contact.dx, plan(c).elastic_contact_radius / 6.0, rounding);
 }
 
 } // namespace
