@@ -25,7 +25,7 @@ constexpr PythonCommand python_commands[] = {
     {"sweep", "Run a case for many values of its keys"},
     {"fit", "Find unknown keys of a case from measured curves"},
     {"surface", "Make, read, inspect and write surfaces"},
-    {"material", "Show what becomes of a measured stress-strain curve"},
+    {"material", "Show what becomes of a measured curve, and materials of standards"},
     {"export", "Convert stored fields for other programs"},
     {"completion", "Print the script with which bash, zsh or fish completes commands, options and keys"},
 };

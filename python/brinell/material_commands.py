@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import click
+import tomli_w
 
 from brinell.commands import reports_errors, reports_warnings
 from brinell.errors import InputError
-from brinell.materials import MeasuredCurve
+from brinell.materials import PRESETS, MeasuredCurve, preset
 
 __all__ = ["material"]
 
@@ -22,7 +23,7 @@ _MOST_ROWS = 12
 
 @click.group()
 def material() -> None:
-    """Show what becomes of a measured stress-strain curve."""
+    """Show what becomes of a measured curve, and materials of standards."""
 
 
 @material.command("show")
@@ -96,6 +97,25 @@ def _show(file: Path, stress_unit: str, strain_unit: Any, figure: Path | None, *
         from brinell.plot import style
 
         click.echo(style.save(curve.plot(), figure.parent, figure.stem, [ending])[0])
+
+
+@material.command("presets")
+@click.argument("name", required=False)
+@click.option(
+    "--body", type=click.Choice(["lower", "upper"]), default="lower", show_default=True, help="Body of the table."
+)
+@click.option("--thermal", is_flag=True, help="With the thermal constants, for a case with heat.")
+@reports_errors
+def _presets(name: str | None, body: str, thermal: bool) -> None:
+    """List materials whose constants a standard gives; of NAME, print the table of a case file."""
+    if name is None:
+        width = max(map(len, PRESETS))
+        for one in PRESETS.values():
+            click.echo(f"{one.name:<{width}}  {one.source}")
+        return
+    found = preset(name, thermal)
+    click.echo(f"# {next(one.source for key, one in PRESETS.items() if key.casefold() == name.casefold())}")
+    click.echo(tomli_w.dumps({body: {"material": found.to_case()}}), nl=False)
 
 
 def _text(curve: MeasuredCurve) -> str:

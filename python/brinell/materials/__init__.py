@@ -2,6 +2,7 @@
 """Materials: elastic constants, hardening and softening laws, profiles over depth, thermal and electrical constants.
 
     steel = Material("210 GPa", 0.3, Swift(coefficient="2.1 GPa", offset=4e-3, exponent=0.095))
+    other = preset("S355")
     soft = Material(70e9, 0.33, hardening=lambda e: 250e6 + 180e6 * np.tanh(30 * e))
 
 Numbers are in SI units; text has its own unit, as in the case file. e is the equivalent plastic strain, sigma_y(e) the
@@ -24,10 +25,12 @@ from brinell.materials.laws import (
     Voce,
 )
 from brinell.materials.material import RIGID, Material
+from brinell.materials.presets import PRESETS, Preset, preset
 from brinell.materials.sampling import Law
 from brinell.materials.thermal import SofteningTable, Thermal
 
 __all__ = [
+    "PRESETS",
     "RIGID",
     "Electrical",
     "Hardening",
@@ -40,6 +43,7 @@ __all__ = [
     "Material",
     "MeasuredCurve",
     "Perfect",
+    "Preset",
     "Softening",
     "SofteningTable",
     "Swift",
@@ -47,4 +51,5 @@ __all__ = [
     "Table",
     "Thermal",
     "Voce",
+    "preset",
 ]
