@@ -3,8 +3,7 @@
 
 #include "brinell/halfspace/heat_response.hpp"
 #include "buried_heat.hpp"
-#include "foundation/fft.hpp"
-#include "halfspace/transform/depth_sums.hpp"
+#include "heat_waves.hpp"
 
 #include <functional>
 #include <memory>
@@ -49,10 +48,10 @@ public:
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
              const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers = nullptr);
 
-  [[nodiscard]] const SurfaceGrid& grid() const { return fft_.grid(); }
-  [[nodiscard]] int period_x() const { return fft_.px(); } ///< [cells]
-  [[nodiscard]] int period_y() const { return fft_.py(); }
-  [[nodiscard]] std::size_t spectrum_bytes() const { return fft_.plane() * sizeof(Complex); } ///< of one field
+  [[nodiscard]] const SurfaceGrid& grid() const { return waves_.fft.grid(); }
+  [[nodiscard]] int period_x() const { return waves_.fft.px(); } ///< [cells]
+  [[nodiscard]] int period_y() const { return waves_.fft.py(); }
+  [[nodiscard]] std::size_t spectrum_bytes() const { return waves_.fft.plane() * sizeof(Complex); } ///< of one field
 
   /// Adds `factor` times the temperature of the surface that remains after `duration`, for a flux that is uniform in each cell.
   /// @param heated  grid of these cells
@@ -62,7 +61,7 @@ public:
   void add_buried(double factor, std::span<double> temperature) const;
 
   using Window = PaddedFft::Window;
-  [[nodiscard]] Window whole() const { return fft_.whole(); }
+  [[nodiscard]] Window whole() const { return waves_.fft.whole(); }
   /// Definition of some fields at one depth.
   struct FieldsOfHeat
   {
@@ -105,57 +104,12 @@ public:
   void set_whole_heat_in_body(std::span<const double> values);
 
 private:
-  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft_.kx()); }
-  /// Index of the first wave of a row.
-  [[nodiscard]] std::size_t begin_of(int row) const { return static_cast<std::size_t>(row) * columns(); }
-  [[nodiscard]] std::span<const SurfaceWave> row_of_waves(int row) const;
-  /// Number of blocks of `lane_count` columns in a row; lanes beyond the last column are zero.
-  [[nodiscard]] std::size_t blocks() const { return (columns() + lane_count - 1) / lane_count; }
-  [[nodiscard]] std::size_t block_of(int row) const { return static_cast<std::size_t>(row) * blocks(); }
   using RowOfHeat = AlignedVector<ComplexLanes>;
+  struct Row;
+  struct RowOfFields;
   [[nodiscard]] const ComplexLanes* heat_of_row(int row, RowOfHeat& buffer) const;
-  /// Task of `fields`, the same for every row.
-  struct RowOfFields
-  {
-    double duration, factor;
-    bool has_buried;                     ///< whether there is heat in the body
-    const DepthSums* sums;               ///< nullptr if only the surface is wanted
-    const Complex *at_surface, *slowest; ///< as in `SurfaceSums`; used if `sums` is nullptr
-    std::span<const DepthFactors> depths;
-    const FieldsOfHeat& fields_of_heat;
-    Complex* spectra;                 ///< [depth][field][plane]
-    std::span<const int> significant; ///< for each depth, the number of columns that are not negligible in any row
-  };
-  [[nodiscard]] std::vector<double> left_in_depth(double duration) const;
-  /// Sums of a row, for the heat that entered at the surface and for the heat generated in the body.
-  struct Row
-  {
-    DepthSums::Row of_surface;
-    DecayInDepth decay;
-    AlignedVector<Lanes> left{}; ///< decay of each wave along the surface, times the factor: [block]
-    std::vector<Complex*> out{}; ///< fields at a depth
-    BuriedHeat::Row buried{};
-    RowOfHeat heat{}; ///< with what was amended
-  };
-  [[nodiscard]] Row make_row(const RowOfFields& wanted) const;
-  void add_row(int row, const RowOfFields& wanted, Row& sums) const;
-  void write_fields(int row, std::size_t number, std::size_t columns, const RowOfFields& wanted, Row& sums) const;
-  [[nodiscard]] std::vector<int> significant_columns(std::span<const DepthFactors> depths, bool has_buried) const;
-  void add_buried_row(double depth, double factor, std::size_t columns, std::size_t number, Row& sums) const;
-  [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
-  [[nodiscard]] AlignedVector<Complex> independent_rows_of(std::span<const double> values) const;
-  void find_surface_potential(int row, const RowOfFields& wanted, Row& sums) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 
-  /// Sums over the waves in depth at the surface, without the factors that are the same for all of them; [row][column]. Valid
-  /// until the next step.
-  struct SurfaceSums
-  {
-    double duration;
-    AlignedVector<Complex> temperature; ///< temperature that remains after `duration`
-    /// After `duration`, and now; and the heat of the slowest wave in depth. Empty if only the temperature is wanted.
-    AlignedVector<Complex> potential, potential_now, slowest;
-  };
   /// Decay and shift of neighbouring waves along the surface in a step.
   struct StepOfBlock
   {
@@ -169,37 +123,16 @@ private:
     std::vector<double> rates, left;       ///< of the waves in depth: kappa s^2 t, and e^{-that}
     std::optional<SurfaceSums> response{}; ///< of unit heat in each wave along the surface; planned when it is needed
   };
-  /// Weights of the waves in depth in these sums.
-  struct SurfaceWeights
-  {
-    std::size_t first_left = 0; ///< first wave that has not decayed after the duration
-    std::vector<double> temperature, potential, potential_now;
-  };
   void plan_step(const HeatMotion& motion);
   void step_from(const Heat& before, const AlignedVector<Complex>& heat);
   void add_amended(const Heat& from);
   void fill_amended(int row, const Complex* amended, const ComplexLanes* before, ComplexLanes* heat) const;
-  [[nodiscard]] AlignedVector<Complex> heat_of(std::span<const double> flux, const HeatMotion& motion) const;
   [[nodiscard]] SurfaceSums find_response() const;
   [[nodiscard]] Lanes left_along(std::size_t block, double duration) const;
-  [[nodiscard]] SurfaceWeights surface_weights(double duration) const;
-  [[nodiscard]] SurfaceSums empty_sums(double duration) const;
-  // A run that goes on from a checkpoint computes the sums anew, and must find the same digits. Inlined at two places, the same
-  // lines may be compiled to other orders of multiplication and addition.
-  [[gnu::noinline]] static void add_response(const SurfaceSums& response, const AlignedVector<Complex>& heat,
-                                             SurfaceSums& sums);
-  [[gnu::noinline]] void sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights,
-                                 SurfaceSums& sums) const;
   [[nodiscard]] SurfaceSums find_sums(double duration) const;
 
-  PaddedFft fft_;
-  double diffusivity_, conductivity_;
-  DepthWaves waves_;
-  std::vector<double> at_surface_; ///< weights of all waves except the last one in the potential at the surface
-  std::vector<SurfaceWave> along_; ///< [plane]
-  AlignedVector<Lanes> k_;         ///< [row][block]
+  HeatWaves waves_;
   Heat heat_;
-  AlignedVector<Lanes> slow_share_; ///< [row][block], only for fields
   std::optional<Step> step_;        ///< the last step that was planned
   std::optional<SurfaceSums> sums_; ///< of the present heat
   std::optional<BuriedHeat> buried_;

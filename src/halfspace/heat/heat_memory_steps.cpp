@@ -13,12 +13,13 @@ namespace brinell::halfspace
 namespace
 {
 
-void store_first(const ComplexLanes& value, std::size_t count, Complex* to)
+/// Adds the response to the heat of each wave to the sums. Not inlined, like HeatWaves::sum_row.
+[[gnu::noinline]] void add_response(const SurfaceSums& response, const AlignedVector<Complex>& heat, SurfaceSums& sums)
 {
-  if (count == lane_count)
-    return store_lanes(value, to);
-  for (std::size_t lane = 0; lane < count; ++lane)
-    to[lane] = {value.re[lane], value.im[lane]};
+  for (const auto sum :
+       {&SurfaceSums::temperature, &SurfaceSums::potential, &SurfaceSums::potential_now, &SurfaceSums::slowest})
+    for (std::size_t i = 0; i < (sums.*sum).size() && i < heat.size(); ++i)
+      (sums.*sum)[i] += (response.*sum)[i] * heat[i];
 }
 
 /// Calls work(row) for all rows of a plane, by several threads if the plane is large enough.
@@ -51,19 +52,19 @@ void HeatMemory::plan_step(const HeatMotion& motion)
 {
   if (step_ && step_->motion == motion)
     return;
-  step_ = Step{motion, AlignedVector<StepOfBlock>(k_.size()), {}, left_in_depth(motion.duration)};
-  for (const DepthWave& wave : waves_.waves)
-    step_->rates.push_back(diffusivity_ * wave.number * wave.number * motion.duration);
-  for_rows(fft_.rows(), fft_.plane(),
+  step_ = Step{motion, AlignedVector<StepOfBlock>(waves_.k.size()), {}, waves_.left_in_depth(motion.duration)};
+  for (const DepthWave& wave : waves_.in_depth.waves)
+    step_->rates.push_back(waves_.diffusivity * wave.number * wave.number * motion.duration);
+  for_rows(waves_.fft.rows(), waves_.fft.plane(),
            [&](int row)
            {
-             for (std::size_t i = 0; i < columns(); ++i)
+             for (std::size_t i = 0; i < waves_.columns(); ++i)
              {
-               const SurfaceWave& wave = row_of_waves(row)[i];
-               StepOfBlock& block = step_->blocks[block_of(row) + i / lane_count];
+               const SurfaceWave& wave = waves_.row_of_waves(row)[i];
+               StepOfBlock& block = step_->blocks[waves_.block_of(row) + i / lane_count];
                const std::size_t lane = i % lane_count;
                const double angle = (wave.odd_x * motion.velocity_x + wave.odd_y * motion.velocity_y) * motion.duration;
-               block.rate[lane] = diffusivity_ * wave.k * wave.k * motion.duration;
+               block.rate[lane] = waves_.diffusivity * wave.k * wave.k * motion.duration;
                block.phase[lane] = -angle;
                block.left[lane] = std::exp(-block.rate[lane]);
                block.left_re[lane] = block.left[lane] * std::cos(angle);
@@ -109,16 +110,6 @@ ComplexLanes operator*(const ComplexLanes& a, const ComplexLanes& b)
 
 } // namespace
 
-/// The heat that a flux brings to each wave in a step, if none decayed.
-AlignedVector<Complex> HeatMemory::heat_of(std::span<const double> flux, const HeatMotion& motion) const
-{
-  AlignedVector<Complex> heat = fft_.forward(flux);
-  const double scale = diffusivity_ / conductivity_ * motion.duration;
-  for (Complex& wave : heat)
-    wave *= scale;
-  return heat;
-}
-
 /// Moves the heat so far into `before`, unchanged to the last digit, also where the next step has another motion.
 void HeatMemory::add_step(std::span<const double> flux, const HeatMotion& motion, Heat* before)
 {
@@ -134,7 +125,7 @@ void HeatMemory::add_step(std::span<const double> flux, const HeatMotion& motion
     from = &heat_;
   }
   plan_step(motion);
-  step_from(*from, heat_of(flux, motion));
+  step_from(*from, waves_.heat_of(flux, motion));
   heat_.amended.clear();
 }
 
@@ -145,7 +136,7 @@ void HeatMemory::add_to_last_step(std::span<const double> flux, const HeatMotion
   if (!heat_.amended.empty() && motion != heat_.motion)
     add_amended(heat_);
   plan_step(motion);
-  const AlignedVector<Complex> more = heat_of(flux, motion);
+  const AlignedVector<Complex> more = waves_.heat_of(flux, motion);
   heat_.motion = motion;
   heat_.amended.resize(more.size());
   for (std::size_t i = 0; i < more.size(); ++i)
@@ -163,20 +154,20 @@ void HeatMemory::add_to_last_step(std::span<const double> flux, const HeatMotion
 /// What was amended in the step before had the same motion, so that both are added with the same factor.
 void HeatMemory::step_from(const Heat& before, const AlignedVector<Complex>& heat)
 {
-  const std::size_t waves = waves_.waves.size();
-  sums_ = empty_sums(step_->motion.duration);
-  const SurfaceWeights weights = surface_weights(step_->motion.duration);
+  const std::size_t waves = waves_.in_depth.waves.size();
+  sums_ = waves_.empty_sums(step_->motion.duration);
+  const SurfaceWeights weights = waves_.surface_weights(step_->motion.duration);
   const bool has_amended = !before.amended.empty();
   const auto step_row = [&](int row)
   {
-    ComplexLanes* const of_row = heat_.waves.data() + block_of(row) * waves;
-    for (std::size_t block = 0; block < blocks(); ++block)
+    ComplexLanes* const of_row = heat_.waves.data() + waves_.block_of(row) * waves;
+    for (std::size_t block = 0; block < waves_.blocks(); ++block)
     {
-      const std::size_t number = block_of(row) + block, first = block * lane_count;
-      const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
-      const ComplexLanes in = load_lanes(heat.data() + begin_of(row) + first, count);
+      const std::size_t number = waves_.block_of(row) + block, first = block * lane_count;
+      const std::size_t count = std::min<std::size_t>(lane_count, waves_.columns() - first);
+      const ComplexLanes in = load_lanes(heat.data() + waves_.begin_of(row) + first, count);
       const ComplexLanes amended =
-          has_amended ? load_lanes(before.amended.data() + begin_of(row) + first, count) : ComplexLanes{};
+          has_amended ? load_lanes(before.amended.data() + waves_.begin_of(row) + first, count) : ComplexLanes{};
       const StepOfBlock along = step_->blocks[number];
       const ComplexLanes* heat_before = before.waves.data() + number * waves;
       for (std::size_t w = 0; w < waves; ++w)
@@ -186,21 +177,21 @@ void HeatMemory::step_from(const Heat& before, const AlignedVector<Complex>& hea
             remains * heat_before[w] + gain(along, step_->rates[w], step_->left[w]) * (in + remains * amended);
       }
     }
-    sum_row(row, of_row, weights, *sums_); // while the row is in the cache
+    waves_.sum_row(row, of_row, weights, *sums_); // while the row is in the cache
   };
-  for_rows(fft_.rows(), fft_.plane(), step_row);
+  for_rows(waves_.fft.rows(), waves_.fft.plane(), step_row);
 }
 
 /// The waves of a row with what was amended.
 void HeatMemory::fill_amended(int row, const Complex* amended, const ComplexLanes* before, ComplexLanes* heat) const
 {
-  const std::size_t waves = waves_.waves.size();
-  for (std::size_t block = 0; block < blocks(); ++block)
+  const std::size_t waves = waves_.in_depth.waves.size();
+  for (std::size_t block = 0; block < waves_.blocks(); ++block)
   {
     const std::size_t first = block * lane_count;
-    const std::size_t count = std::min<std::size_t>(lane_count, columns() - first);
-    const ComplexLanes in = load_lanes(amended + begin_of(row) + first, count);
-    const StepOfBlock along = step_->blocks[block_of(row) + block];
+    const std::size_t count = std::min<std::size_t>(lane_count, waves_.columns() - first);
+    const ComplexLanes in = load_lanes(amended + waves_.begin_of(row) + first, count);
+    const StepOfBlock along = step_->blocks[waves_.block_of(row) + block];
     for (std::size_t w = 0; w < waves; ++w)
     {
       const ComplexLanes added = gain(along, step_->rates[w], step_->left[w]) * in;
@@ -213,10 +204,10 @@ void HeatMemory::fill_amended(int row, const Complex* amended, const ComplexLane
 /// @param buffer  used if heat was amended
 const ComplexLanes* HeatMemory::heat_of_row(int row, RowOfHeat& buffer) const
 {
-  const ComplexLanes* waves = heat_.waves.data() + block_of(row) * waves_.waves.size();
+  const ComplexLanes* waves = heat_.waves.data() + waves_.block_of(row) * waves_.in_depth.waves.size();
   if (heat_.amended.empty())
     return waves;
-  buffer.resize(blocks() * waves_.waves.size());
+  buffer.resize(waves_.blocks() * waves_.in_depth.waves.size());
   fill_amended(row, heat_.amended.data(), waves, buffer.data());
   return buffer.data();
 }
@@ -224,109 +215,46 @@ const ComplexLanes* HeatMemory::heat_of_row(int row, RowOfHeat& buffer) const
 /// Computes the waves of `from`, which may be `heat_` itself, with what was amended, before a step of another motion.
 void HeatMemory::add_amended(const Heat& from)
 {
-  for_rows(fft_.rows(), fft_.plane(),
+  for_rows(waves_.fft.rows(), waves_.fft.plane(),
            [&](int row)
            {
-             const std::size_t first = block_of(row) * waves_.waves.size();
+             const std::size_t first = waves_.block_of(row) * waves_.in_depth.waves.size();
              fill_amended(row, from.amended.data(), from.waves.data() + first, heat_.waves.data() + first);
            });
   heat_.amended.clear();
 }
 
 /// Response of the sums to unit heat in each wave along the surface, in a step of the planned motion.
-HeatMemory::SurfaceSums HeatMemory::find_response() const
+SurfaceSums HeatMemory::find_response() const
 {
-  SurfaceSums response = empty_sums(step_->motion.duration);
-  const SurfaceWeights weights = surface_weights(step_->motion.duration);
-  const AlignedVector<Complex> unit(fft_.plane(), Complex{1.0, 0.0});
-  for_rows(fft_.rows(), fft_.plane(),
+  SurfaceSums response = waves_.empty_sums(step_->motion.duration);
+  const SurfaceWeights weights = waves_.surface_weights(step_->motion.duration);
+  const AlignedVector<Complex> unit(waves_.fft.plane(), Complex{1.0, 0.0});
+  for_rows(waves_.fft.rows(), waves_.fft.plane(),
            [&](int row)
            {
-             RowOfHeat heat(blocks() * waves_.waves.size());
+             RowOfHeat heat(waves_.blocks() * waves_.in_depth.waves.size());
              fill_amended(row, unit.data(), nullptr, heat.data());
-             sum_row(row, heat.data(), weights, response);
+             waves_.sum_row(row, heat.data(), weights, response);
            });
   return response;
 }
 
-/// Adds the response to the heat of each wave to the sums.
-void HeatMemory::add_response(const SurfaceSums& response, const AlignedVector<Complex>& heat, SurfaceSums& sums)
-{
-  for (const auto sum :
-       {&SurfaceSums::temperature, &SurfaceSums::potential, &SurfaceSums::potential_now, &SurfaceSums::slowest})
-    for (std::size_t i = 0; i < (sums.*sum).size() && i < heat.size(); ++i)
-      (sums.*sum)[i] += (response.*sum)[i] * heat[i];
-}
-
-HeatMemory::SurfaceWeights HeatMemory::surface_weights(double duration) const
-{
-  constexpr double nothing = 1e-20;
-  const std::vector<double> left = left_in_depth(duration);
-  SurfaceWeights weights;
-  for (std::size_t w = 0; w < left.size(); ++w)
-  {
-    if (left[w] <= nothing)
-      weights.first_left = w + 1;
-    weights.temperature.push_back(left[w] * waves_.waves[w].weight);
-  }
-  for (std::size_t w = 0; w < at_surface_.size(); ++w)
-  {
-    weights.potential.push_back(w < weights.first_left ? 0.0 : left[w] * at_surface_[w]);
-    weights.potential_now.push_back(at_surface_[w]);
-  }
-  return weights;
-}
-
-HeatMemory::SurfaceSums HeatMemory::empty_sums(double duration) const
-{
-  const AlignedVector<Complex> plane(fft_.plane()), none;
-  const AlignedVector<Complex>& of_fields = waves_.has_fields ? plane : none;
-  return {duration, plane, of_fields, of_fields, of_fields};
-}
-
-/// @param heat  of the row: [block][wave]
-void HeatMemory::sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights, SurfaceSums& sums) const
-{
-  const std::size_t waves = waves_.waves.size();
-  for (std::size_t block = 0; block < blocks(); ++block, heat += waves)
-  {
-    const std::size_t number = block_of(row) + block, first = block * lane_count;
-    const std::size_t count = std::min<std::size_t>(lane_count, columns() - first), to = begin_of(row) + first;
-    const Lanes k2 = k_[number] * k_[number];
-    ComplexLanes temperature, potential, potential_now;
-    for (std::size_t w = weights.first_left; w < waves; ++w)
-      temperature = temperature + weights.temperature[w] * heat[w];
-    store_first(temperature, count, sums.temperature.data() + to);
-    if (!waves_.has_fields)
-      continue;
-    for (std::size_t w = 0; w + 1 < waves; ++w)
-    {
-      const double number_of_wave = waves_.waves[w].number;
-      const ComplexLanes integrated = 1.0 / (number_of_wave * number_of_wave + k2) * heat[w];
-      potential = potential + weights.potential[w] * integrated;
-      potential_now = potential_now + weights.potential_now[w] * integrated;
-    }
-    store_first(potential, count, sums.potential.data() + to);
-    store_first(potential_now, count, sums.potential_now.data() + to);
-    store_first(heat[waves - 1], count, sums.slowest.data() + to);
-  }
-}
-
 /// After the duration of the amended step, what was amended is added to the sums of the rest as `add_to_last_step` does, so that a run that
 /// goes on from a checkpoint gets the same digits.
-HeatMemory::SurfaceSums HeatMemory::find_sums(double duration) const
+SurfaceSums HeatMemory::find_sums(double duration) const
 {
-  SurfaceSums sums = empty_sums(duration);
-  const SurfaceWeights weights = surface_weights(duration);
+  SurfaceSums sums = waves_.empty_sums(duration);
+  const SurfaceWeights weights = waves_.surface_weights(duration);
   const bool adds_response = !heat_.amended.empty() && duration == heat_.motion.duration;
-  for_rows(fft_.rows(), fft_.plane(),
+  for_rows(waves_.fft.rows(), waves_.fft.plane(),
            [&](int row)
            {
              RowOfHeat buffer;
-             sum_row(row,
-                     adds_response ? heat_.waves.data() + block_of(row) * waves_.waves.size()
-                                   : heat_of_row(row, buffer),
-                     weights, sums);
+             waves_.sum_row(row,
+                            adds_response ? heat_.waves.data() + waves_.block_of(row) * waves_.in_depth.waves.size()
+                                          : heat_of_row(row, buffer),
+                            weights, sums);
            });
   if (adds_response)
     add_response(step_->response ? *step_->response : find_response(), heat_.amended, sums);
