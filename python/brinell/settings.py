@@ -74,11 +74,20 @@ class Interface(CaseTable):
         coupling: Whether the shear changes the gap, as it does if the elastic constants of the two materials differ.
             False: this effect is neglected, as if both surfaces moved equally. Default: True.
         current: Electric current between bodies that both have an electrical resistivity; over a period, that of one
-            period. In A, >= 0; default: no current; not together with voltage.
-        voltage: Voltage between points of the two bodies far from the contact, in place of a current. In V, >= 0;
-            default: no current; not together with current.
+            period. A list: the values at the ends of the steps 0, 1, 2, ..., or of those of current_steps; the last one
+            is kept. In A, >= 0; default: no current; not together with voltage.
+        voltage: Voltage between points of the two bodies far from the contact, in place of a current; or a list, as for
+            a current. In V, >= 0; default: no current; not together with current.
+        current_steps: Steps at whose ends the values of a list of currents or voltages hold, ascending; step 0 is the
+            first row of the history. In between the drive is linear, before and after them constant. Allowed: >= 0;
+            default: 0, 1, 2 and so on.
         film_resistance: Resistance times area of a film between the surfaces, such as an oxide. 0: no film. In ohm m^2,
             >= 0; default: 0.0.
+        film_growth: Growth of the film where the surfaces slip under pressure: film_resistance gained per slip path,
+            half of it on each surface. In ohm m, >= 0; default: 0.0.
+        film_limit: Resistance times area that a film does not exceed by growing. In ohm m^2, > 0; default: no limit.
+        film_wear: Film that wear takes away: film_resistance lost by a surface per worn depth, which is the resistivity
+            of the film if it wears like its surface. In ohm m, >= 0; default: 0.0.
         heat_fraction: Share of the friction power that heats the two bodies, if they have thermal constants. Allowed:
             in [0, 1]; default: 1.0.
         wear: Wear of the surfaces where they slip, `brinell.Wear` or a dictionary.
@@ -87,9 +96,13 @@ class Interface(CaseTable):
     friction: float | None = None
     shear_limit: Quantity | None = None
     coupling: bool | None = None
-    current: Quantity | None = None
-    voltage: Quantity | None = None
+    current: Quantity | Sequence[Quantity] | None = None
+    voltage: Quantity | Sequence[Quantity] | None = None
+    current_steps: float | Sequence[float] | None = None
     film_resistance: Quantity | None = None
+    film_growth: Quantity | None = None
+    film_limit: Quantity | None = None
+    film_wear: Quantity | None = None
     heat_fraction: float | None = None
     wear: Wear | Mapping[str, Any] | None = None
 

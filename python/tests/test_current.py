@@ -69,6 +69,48 @@ def test_current_voltage_and_film() -> None:
     assert 1e-10 / area + 0.99 * clean < filmed < 1e-10 / area + 1.09 * clean
 
 
+def test_a_table_over_the_steps() -> None:
+    interface = {"current": ["0 A", "0 A", "8 A"], "current_steps": [0, 2, 8]}
+    run = pressed(interface=interface, load=["20 N", "20 N"]).run(in_memory=True)
+    expected = np.interp(run.history["step"], interface["current_steps"], [0.0, 0.0, 8.0])
+    np.testing.assert_allclose(run.history["current"], expected, rtol=1e-12)
+    assert "resistance-characteristic" in {named.name for named in brinell.plot.standard_figures(run)}
+    figure = brinell.plot.resistance_characteristic(run)
+    assert figure is not None
+    assert figure.axes[0].get_xlabel().startswith("voltage")
+
+
+def test_heat_goes_through_the_same_contact() -> None:
+    """As the current does, with 1/conductivity in place of the resistivity."""
+    thermal = brinell.Thermal.carbon_steel()
+    steel = brinell.Material("210 GPa", 0.3, thermal=thermal)
+    conductivity = 2.0 / thermal.conductivity
+    only_heat = pressed(steel, steel, load="20 N").run(in_memory=True).history
+    conducts = brinell.Material("210 GPa", 0.3, thermal=thermal, electrical=brinell.Electrical("2e-7 ohm m"))
+    both = pressed(conducts, conducts, load="20 N").run(in_memory=True).history
+    np.testing.assert_allclose(
+        both["thermal_contact_conductance"] * both["contact_resistance"], 4e-7 / conductivity, rtol=1e-12
+    )
+    np.testing.assert_allclose(only_heat["thermal_contact_conductance"], both["thermal_contact_conductance"], rtol=1e-6)
+
+
+def test_a_film_grows_by_fretting() -> None:
+    flat, ball = brinell.Body(brinell.Flat(), STEEL), brinell.Body(brinell.Sphere("5 mm"), COPPER)
+    interface = {"friction": 0.3, "voltage": "50 mV", "film_growth": "1e-6 ohm m"}
+    fretting = brinell.Fretting(
+        flat, ball, load="5 N", displacement="5 um", cycles=2, interface=interface, grid={"resolution": 4}
+    )
+    run = fretting.run(in_memory=True)
+    cycle, resistance = run.history["cycle"], run.history["contact_resistance"]
+    assert resistance[cycle == 2][-1] > resistance[cycle == 1][-1] > resistance[cycle == 0][-1]
+    path = run.history["slip_path"][-1]
+    assert 0.5e-6 * path < run.history["film_resistance"][-1] <= 1e-6 * path
+    figure = brinell.plot.resistance_course(run)
+    assert figure is not None
+    assert figure.axes[0].get_xlabel() == "cycles"
+    assert brinell.plot.contact_spots(run, run.snapshot("aligned")).axes
+
+
 def test_without_a_resistivity_nothing_changes() -> None:
     insulating = brinell.Material("120 GPa", 0.34)
     with_, without = (pressed(upper=m).run(in_memory=True) for m in (COPPER, insulating))
@@ -85,6 +127,10 @@ def test_without_a_resistivity_nothing_changes() -> None:
         (COPPER, {"current": 1, "voltage": "1 V"}, "interface.voltage"),
         (COPPER, {"current": -1}, "interface.current"),
         (COPPER, {"film_resistance": "1 ohm"}, "area resistance"),
+        (COPPER, {"current": [1, 2, 3], "current_steps": [0, 1]}, "2 steps, but interface.current .* has 3 values"),
+        (COPPER, {"voltage": ["1 mV", "-1 mV"]}, "interface.voltage"),
+        (COPPER, {"current_steps": [0, 1]}, "interface.current_steps .* there is no current"),
+        (COPPER, {"voltage": [0, "1 mV"], "current_steps": [3, 3]}, "ascending"),
     ],
 )
 def test_errors_name_the_key(upper: brinell.Material, interface: dict, message: str) -> None:

@@ -140,7 +140,15 @@ HotContact hot_contact(const std::array<HotConductor, 2>& bodies, double voltage
   const double largest = p.hottest >= 0.0 && p.hottest <= voltage
                              ? bodies[static_cast<std::size_t>(hottest)].temperature_at(p.in_body(hottest, p.hottest))
                              : std::max(bodies[0].temperature, bodies[1].temperature);
-  return {voltage, flow_in(bodies[0], 0, p), interface, largest};
+  return {voltage, flow_in(bodies[0], 0, p), interface, largest, p.contact, p.hottest};
+}
+
+double temperature_in(const std::array<HotConductor, 2>& bodies, const HotContact& contact, std::size_t body,
+                      double share)
+{
+  const double far = body == 0 ? contact.voltage : 0.0;
+  const Potentials p{contact.voltage, contact.contact, contact.hottest};
+  return bodies.at(body).temperature_at(p.in_body(static_cast<int>(body), far + share * (contact.contact - far)));
 }
 
 std::optional<HotContact> hot_contact_of_current(const std::array<HotConductor, 2>& bodies, double flow)

@@ -61,21 +61,55 @@ void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warni
                percent_text(largest_worn_share_of_layer))});
 }
 
+/// Warns where the contact moves on before the heat of its spots has become steady.
+void warn_of_short_passage(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
+{
+  constexpr double short_time = 0.2; // over that of the motion
+  const double radius = totals.coverage.patch_cells * std::min(facts.cell[0], facts.cell[1]);
+  double time = 0.0;
+  for (const constitutive::Material* material : facts.materials)
+    if (material->thermal)
+      time = std::max(time, radius * radius / material->thermal->diffusivity());
+  if (facts.heating_time && time > short_time * *facts.heating_time)
+    warnings.push_back({"transient_current",
+                        fmt::format("contact_temperature and the resistance of the hot contact hold for the steady "
+                                    "state, which a spot of {} needs about {:.2g} s to reach: not short against {:.2g} "
+                                    "s {}; contact_temperature is then too high{}",
+                                    length_text(radius), time, *facts.heating_time, facts.while_heated,
+                                    facts.is_heated ? ", max_temperature_* follow the heat in time" : "")});
+}
+
 void warn_of_current(const Facts& facts, const RunTotals& totals, std::vector<Warning>& warnings)
 {
-  const elastoplastic::CurrentDrive& drive = facts.effect_settings.current;
-  if (!(drive.current.value_or(drive.voltage.value_or(0.0)) > 0.0))
+  if (!facts.effect_settings.current.drives())
     return;
   if (std::isnan(totals.max_contact_temperature))
     warnings.push_back({"no_steady_current",
                         "the current is larger than any that the contact bears in a steady state: it would melt or "
                         "evaporate, and resistance, voltage and temperature of these steps are not numbers"});
+  warn_of_short_passage(facts, totals, warnings);
+  if (totals.softening_error > 0.0)
+    warnings.push_back({"unsteady_softening",
+                        fmt::format("in an increment the softening around the spots still changed by {} of the yield "
+                                    "stress when its iteration was ended: plastic strain and resistance are uncertain",
+                                    percent_text(totals.softening_error))});
+  for (std::size_t side = 0; side < 2; ++side)
+    if (const constitutive::Material& material = *facts.materials[side]; material.softening)
+      if (const auto melting = constitutive::melting_temperature(*material.softening);
+          melting && totals.max_contact_temperature >= *melting)
+        warnings.push_back({"melting_current",
+                            fmt::format("the current heats the contact to {:.0f} degC in a steady state, and the {} "
+                                        "body melts at {:.0f} degC: spots that melt spread, and conduct better than "
+                                        "contact_resistance says",
+                                        totals.max_contact_temperature, side == 0 ? "lower" : "upper", *melting)});
+  if (facts.is_heated) // the bodies feel the heat of the current beside that of friction
+    return;
   constexpr double warm = 100.0; // [K]
   for (std::size_t side = 0; side < 2; ++side)
   {
     const constitutive::Material& material = *facts.materials[side];
     const double rise = totals.max_contact_temperature - material.temperature;
-    if (rise > warm && material.is_plastic())
+    if (rise > warm && material.is_plastic() && !facts.is_softened_by_current[side])
       warnings.push_back(
           {"hot_current",
            fmt::format("the current heats the contact to {:.0f} degC; the {} body yields as if it had "

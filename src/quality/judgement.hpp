@@ -84,7 +84,8 @@ struct Facts
   bool has_source = false;               ///< of heat, other than friction
   std::vector<std::string_view> effects; ///< names of those that act
   elastoplastic::Effects effect_settings;
-  bool has_thermal_stress = false; ///< thermal stress is part of the yield condition
+  std::array<bool, 2> is_softened_by_current{}; ///< yield stress of each body
+  bool has_thermal_stress = false;              ///< thermal stress is part of the yield condition
   /// In which a point is heated [s]: the contact passes it, on the body over which it moves faster; or half a cycle.
   std::optional<double> heating_time;
   const char* while_heated = "while the contact passes a point";

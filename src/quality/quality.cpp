@@ -258,6 +258,8 @@ Facts facts_of(const PairCase& c, const Plan& plan, double half_x, double half_y
   f.has_source = c.heat.source.exists();
   f.effects = elastoplastic::names_of(c, f.materials);
   f.effect_settings = c;
+  for (std::size_t side = 0; side < 2; ++side)
+    f.is_softened_by_current[side] = elastoplastic::Current::softens(*f.materials[side], c.current, plan.contact);
   f.has_thermal_stress = c.heat.stress;
   f.friction = c.friction.coefficient;
   f.shear_limit = c.friction.shear_limit.value_or(f.shear_limit);

@@ -446,12 +446,25 @@ void add_current(Draw& draw, simulation::Numerics& numerics, constitutive::Mater
   for (constitutive::Material* material : {&lower, &upper})
     material->electrical = {draw.power_of_ten(-8.0, -5.0), has_film ? 0.0 : draw.between(0.0, 5e-3)};
   if (has_film)
-    numerics.current.film = draw.power_of_ten(-15.0, -7.0);
-  const int drive = draw.below(3);
-  if (drive == 0)
-    numerics.current.voltage = draw.power_of_ten(-4.0, 0.0);
-  else if (drive == 1)
-    numerics.current.current = draw.power_of_ten(-4.0, 2.0);
+  {
+    numerics.current.film.resistance = draw.power_of_ten(-15.0, -7.0);
+    if (numerics.friction.coefficient > 0.0 && draw.chance(0.5))
+      numerics.current.film.growth = draw.power_of_ten(-12.0, -3.0);
+  }
+  // Where heat is computed the bodies feel that of the current, which stays below some 100 K.
+  const bool is_heated = lower.thermal || upper.thermal;
+  const int drive = is_heated ? 0 : draw.below(3);
+  if (!is_heated && draw.chance(0.3)) // around the spots
+    for (constitutive::Material* material : {&lower, &upper})
+      material->softening = constitutive::LinearSoftening{.reference = 20.0, .melting_point = 1200.0};
+  std::vector<double>& values = drive == 0 ? numerics.current.voltage : numerics.current.current;
+  const int count = drive == 2 ? 0 : 1 + draw.below(3);
+  for (int n = 0; n < count; ++n)
+  {
+    values.push_back(drive == 0 ? draw.power_of_ten(-4.0, is_heated ? -2.0 : 0.0) : draw.power_of_ten(-4.0, 2.0));
+    if (count > 1)
+      numerics.current.steps.push_back(3.0 * n + draw.between(0.0, 2.0));
+  }
 }
 
 } // namespace brinell::verification

@@ -53,7 +53,7 @@ private:
 [[nodiscard]] simulation::FrettingCase random_worn_fretting(Draw& draw);
 
 /// Gives both bodies resistivities, which may grow with temperature, and drives a current by a voltage or as such, or none; half of
-/// the cases have a film between the surfaces.
+/// the cases have a film between the surfaces, which may grow. Drives may vary with the steps, and soften the bodies around the spots.
 void add_current(Draw& draw, simulation::Numerics& numerics, constitutive::Material& lower,
                  constitutive::Material& upper);
 

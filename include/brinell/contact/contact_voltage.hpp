@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 /// Steady temperature of a contact without a film through which current flows: docs/theory/electrical.md (contact-voltage). It
@@ -36,6 +37,8 @@ struct HotContact
   double flow = 0.0;        ///< current over the factor of shape, 2 K/E' of the contact area [A/m]
   double interface = 0.0;   ///< temperature of the contact area [deg C]
   double temperature = 0.0; ///< largest temperature; of unlike bodies, inside the worse conductor [deg C]
+  double contact = 0.0;     ///< potential of the contact area; that far away in the upper body is 0 [V]
+  double hottest = 0.0;     ///< potential at the largest temperature [V]
 };
 
 /// @param voltage  >= 0 [V]
@@ -44,5 +47,12 @@ struct HotContact
 /// The contact through which a current flows; none if there is no steady state below 1e5 K.
 /// @param flow  current over the factor of shape, >= 0 [A/m]
 [[nodiscard]] std::optional<HotContact> hot_contact_of_current(const std::array<HotConductor, 2>& bodies, double flow);
+
+/// Temperature where the potential of a body has gone a share of the way from its value far away to that of the contact area
+/// [deg C].
+/// @param body   0: lower, 1: upper
+/// @param share  0 to 1
+[[nodiscard]] double temperature_in(const std::array<HotConductor, 2>& bodies, const HotContact& contact,
+                                    std::size_t body, double share);
 
 } // namespace brinell::contact

@@ -4,10 +4,12 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/contact/constriction.hpp"
 #include "brinell/contact/contact_voltage.hpp"
-#include "brinell/elastoplastic/effect.hpp"
+#include "brinell/elastoplastic/film.hpp"
+#include "brinell/elastoplastic/wear.hpp"
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,11 +22,21 @@ namespace brinell::elastoplastic
 /// resistance is found.
 struct CurrentDrive
 {
-  std::optional<double> current{}; ///< [A], >= 0; over a period, that of one period
-  std::optional<double> voltage{}; ///< between points far from the contact [V], >= 0
-  double film = 0.0;               ///< area resistance of a film between the surfaces [ohm m^2], >= 0
+  std::vector<double>
+      current{}; ///< at the end of `steps` [A], >= 0; over a period, that of one period; empty: not given
+  std::vector<double>
+      voltage{}; ///< between points far from the contact, at the end of `steps` [V], >= 0; empty: not given
+  std::vector<double> steps{}; ///< rows of the history, ascending; empty: 0, 1, 2, ...
+  FilmLaw film{};
+
+  /// A drive at the end of a step: linear between the given steps, constant before the first and after the last; none if empty.
+  [[nodiscard]] std::optional<double> at(double step, std::span<const double> values) const;
+  /// Whether a current other than 0 flows in some step.
+  [[nodiscard]] bool drives() const;
   bool operator==(const CurrentDrive&) const = default;
 };
+
+class SpotSoftening;
 
 /// Numbers of the current at the end of a step; zero unless both bodies conduct, NaN where there is no steady state.
 struct CurrentTotals
@@ -37,8 +49,10 @@ struct CurrentTotals
   int current_spots = 0;            ///< patches of the contact
   double largest_spot_share = 0.0;  ///< of a patch in the current
   double contact_temperature = 0.0; ///< largest one, steady, by the current alone [deg C]
+  double film_resistance = 0.0;     ///< mean over the contact of the area resistance of the film [ohm m^2]
   // Since the start
-  double min_contact_resistance = 0.0;  ///< [ohm]
+  double softening_error = 0.0;        ///< largest change of a factor on the yield stress that was not iterated further
+  double min_contact_resistance = 0.0; ///< [ohm]
   double max_contact_temperature = 0.0; ///< [deg C]
 };
 
@@ -60,6 +74,9 @@ inline constexpr auto current_columns = columns_of<CurrentTotals>(
         {"temperature_degC",
          {"contact_temperature", "degC", &CurrentTotals::contact_temperature,
           "largest temperature by the current alone, steady"}},
+        {"film_resistance_ohm_m2",
+         {"film_resistance", "ohm m^2", &CurrentTotals::film_resistance,
+          "area resistance of the film between the surfaces, mean over the contact"}},
         {"min_resistance_ohm",
          {"min_contact_resistance", "ohm", &CurrentTotals::min_contact_resistance,
           "smallest resistance of the contact since the start"}},
@@ -68,7 +85,10 @@ inline constexpr auto current_columns = columns_of<CurrentTotals>(
           "largest temperature by the current since the start"}},
     });
 
-/// Current through the contact at the end of each increment. It acts on nothing else.
+/// Resistivity, conductivity and temperature of a body that has a resistivity.
+[[nodiscard]] contact::HotConductor conductor(const constitutive::Material& material);
+
+/// Current through the contact at the end of each increment. It heats the bodies where their heat is computed.
 class Current final : public Effect
 {
 public:
@@ -76,8 +96,12 @@ public:
 
   /// @param compliance  of the contact; must outlive this object
   /// @param modulus     of the contact [Pa]
-  Current(const halfspace::SurfaceCompliance& compliance, double modulus, const Materials& materials,
-          const CurrentDrive& drive);
+  /// @param wear        which takes the film away; must outlive this object; nullptr: none
+  Current(const halfspace::SurfaceCompliance& compliance, const VolumeGrid& lower, const VolumeGrid& upper,
+          double modulus, const Materials& materials, const CurrentDrive& drive, const Wear* wear);
+  ~Current() override;
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
 
   [[nodiscard]] static bool flows(const Materials& materials)
   {
@@ -85,15 +109,28 @@ public:
   }
 
   [[nodiscard]] std::string_view name() const override { return "current"; }
-  void begin(const Interaction& /*before*/) override {}
+  void begin(const Interaction& before) override;
   double evaluate(const Interaction& /*trial*/) override { return 0.0; }
-  /// Finds resistance and current of the contact.
+  /// Finds film, resistance and current of the contact.
+  void settle(const Interaction& found, const Placement& placement) override;
   void commit(const Interaction& found, const Placement& placement) override;
+  [[nodiscard]] bool heats() const override { return drive_.drives(); }
+  /// Whether the steady temperature around the spots softens a body: without a film, on open grids, under a current.
+  [[nodiscard]] static bool softens(const constitutive::Material& material, const CurrentDrive& drive,
+                                    const SurfaceGrid& contact);
+  bool renews_softening(const Interaction& found, const Placement& placement, int turn) override;
+  [[nodiscard]] std::span<const double> softening(std::size_t side) const override { return state_.softening.at(side); }
+  /// Density of the current times the voltage: the heat of the constriction in both bodies, and of the film.
+  [[nodiscard]] std::span<const double> heat() const override { return heat_; }
   /// Density of the current, mean over each cell of the contact grid [A/m^2].
   [[nodiscard]] std::span<const double> density() const { return state_.density; }
 
+  /// Conductance of the last contact times the sum of the resistivities, if no film is between the surfaces [m]: it depends on the
+  /// contact only.
+  [[nodiscard]] std::optional<double> clean_conductance() const { return clean_conductance_; }
+
   void report(EffectTotals& totals) const override;
-  void exchange(Archive& archive) override { exchange_members(archive, state_); }
+  void exchange(Archive& archive) override;
   void embed(const Effect& smaller_grids) override;
 
 private:
@@ -102,10 +139,13 @@ private:
     std::vector<double> density;  ///< [A/m^2]
     std::vector<double> per_volt; ///< guess of the next solution [A/(V m^2)]
     double resistance = 0.0, current = 0.0, voltage = 0.0, largest_density = 0.0, largest_share = 0.0,
-           temperature = 0.0;
+           temperature = 0.0, mean_film = 0.0;
+    double softening_error = 0.0;
+    double heating_voltage = 0.0; ///< voltage times current is the heat [V]; 0 where the heat is not known
     double least_resistance = std::numeric_limits<double>::infinity();
     double largest_temperature = -std::numeric_limits<double>::infinity();
     int spots = 0;
+    std::array<std::vector<double>, 2> softening; ///< of the lower and the upper body; empty: none
 
     static constexpr auto table()
     {
@@ -117,23 +157,38 @@ private:
                         listed(&State::largest_density, {"largest_density"}),
                         listed(&State::largest_share, {"largest_share"}),
                         listed(&State::temperature, {"temperature"}),
+                        listed(&State::mean_film, {"mean_film"}),
+                        listed(&State::softening_error, {"softening_error"}),
+                        listed(&State::heating_voltage, {"heating_voltage"}),
                         listed(&State::least_resistance, {"least_resistance"}),
                         listed(&State::largest_temperature, {"largest_temperature"}),
-                        listed(&State::spots, {"spots"})};
+                        listed(&State::spots, {"spots"}),
+                        listed(&State::softening, {"lower.softening", "upper.softening"}, {.is_sized = true})};
     }
   };
 
-  void drive_through(const contact::Flow& flow, std::span<const double> pressure);
+  void drive_through(const contact::Flow& flow, const Interaction& found);
+  [[nodiscard]] std::optional<contact::HotContact> hot_contact(const contact::Flow& flow, double step) const;
   void find_density(const contact::Flow& flow);
   void heat_up(const contact::Flow& flow, std::span<const double> pressure);
+  void find_means(std::span<const double> pressure);
 
   contact::Constriction constriction_;
   SurfaceGrid grid_;
   std::array<contact::HotConductor, 2> bodies_;
   double spreading_; ///< sum of the resistivities far from the contact [ohm m]
   CurrentDrive drive_;
-  std::vector<double> film_; ///< [ohm m^2], on the contact grid; empty: none
+  Film film_law_;
+  const Wear* wear_;
+  std::unique_ptr<const SpotSoftening> spot_softening_; ///< none: nothing softens
   State state_;
+  Film::State film_state_;
+  // Of the current increment
+  State next_; ///< end of the increment
+  Film::State next_film_;
+  std::vector<double> film_; ///< [ohm m^2], on the contact grid; empty: none
+  std::vector<double> heat_; ///< see `heat`
+  std::optional<double> clean_conductance_{};
 };
 
 inline constexpr std::array current_fields{EffectField{.effect = "current",

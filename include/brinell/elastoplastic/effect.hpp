@@ -26,8 +26,10 @@ public:
   /// @param pressure  [Pa]
   /// @param gap       [m]
   /// @param slid      sliding distance of the undeformed surfaces in the increment [m]
-  Interaction(const Interface* friction, std::span<const double> pressure, std::span<const double> gap, double slid)
-      : friction_(friction), pressure_(pressure), gap_(gap), slid_(slid)
+  /// @param step      see Motion::step
+  Interaction(const Interface* friction, std::span<const double> pressure, std::span<const double> gap, double slid,
+              double step = 0.0)
+      : friction_(friction), pressure_(pressure), gap_(gap), slid_(slid), step_(step)
   {
   }
 
@@ -38,6 +40,8 @@ public:
   [[nodiscard]] std::span<const double> pressure_before() const;
   /// Whether the slip of the increment is known before its first trial.
   [[nodiscard]] bool knows_slip() const;
+  /// Row of the history that the increment ends at; between two rows within a step.
+  [[nodiscard]] double step() const { return step_; }
   /// Slip length in the increment [m].
   [[nodiscard]] std::vector<double> slip_length() const;
   /// Magnitude of the shear [Pa].
@@ -48,7 +52,7 @@ public:
 private:
   const Interface* friction_;
   std::span<const double> pressure_, gap_;
-  double slid_;
+  double slid_, step_;
 };
 
 /// One physics between two surfaces that reads the interaction of a trial and may change the gap: wear, films, adhesion. In each
@@ -75,6 +79,22 @@ public:
   virtual void add_to_gap(std::span<double> /*gap*/) const {}
   /// Contribution to the energy of the increment's convex problem, with the interaction held but for the pressure [J].
   [[nodiscard]] virtual double held_energy(std::span<const double> /*pressure*/) const { return 0.0; }
+  /// Finds the end of a converged increment, before anything of it is committed. It may throw, and leaves the history as it is.
+  virtual void settle(const Interaction& /*found*/, const Placement& /*placement*/) {}
+  /// Whether the effect releases heat between the surfaces.
+  [[nodiscard]] virtual bool heats() const { return false; }
+  /// Heat that the effect releases between the surfaces, in each cell of the contact grid [W/m^2]; empty: none. Before `settle` that
+  /// at the beginning of the increment, after it the mean of the increment.
+  [[nodiscard]] virtual std::span<const double> heat() const { return {}; }
+  /// After a converged increment, before `settle`: updates the softening of the bodies to the present contact.
+  /// @param turn  of this increment, counts from 0
+  /// @returns whether the softening changed so much that the increment has to be solved again with it
+  virtual bool renews_softening(const Interaction& /*found*/, const Placement& /*placement*/, int /*turn*/)
+  {
+    return false;
+  }
+  /// Factors on the yield stress of the lower (0) or upper (1) body in the increment, one per cell; empty: none.
+  [[nodiscard]] virtual std::span<const double> softening(std::size_t /*side*/) const { return {}; }
   /// Ends an increment: its history goes on from this interaction. It must not fail for reasons that a user can mend; the grids
   /// hold all pressure.
   virtual void commit(const Interaction& found, const Placement& placement) = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/elastoplastic/current.hpp"
+#include "brinell/elastoplastic/conduction.hpp"
 #include "brinell/elastoplastic/wear.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Effects
 [[nodiscard]] std::vector<std::string_view> names_of(const Effects& settings, const Current::Materials& materials);
 
 /// Totals of all effects since the start of a run, and numbers at its end; zero without them.
-struct EffectTotals : WearTotals, CurrentTotals
+struct EffectTotals : WearTotals, CurrentTotals, ConductionTotals
 {
   /// Work of the drive that they have used up [J].
   [[nodiscard]] double work_of_effects() const { return work_of_wear; }
@@ -66,7 +66,8 @@ constexpr auto of_all(const std::array<EffectColumnOf<Totals>, count>& columns)
 
 } // namespace detail
 
-inline constexpr auto effect_columns = detail::joined(detail::of_all(wear_columns), detail::of_all(current_columns));
+inline constexpr auto effect_columns =
+    detail::joined(detail::of_all(wear_columns), detail::of_all(current_columns), detail::of_all(conduction_columns));
 inline constexpr auto effect_fields = detail::joined(wear_fields, current_fields);
 
 /// Place of a field in `effect_fields`, from its name: another name does not compile.
@@ -98,7 +99,7 @@ struct EffectFields
 /// @param modulus     of the contact [Pa]
 [[nodiscard]] std::vector<std::unique_ptr<Effect>> make_effects(const Effects& settings,
                                                                 const halfspace::SurfaceCompliance& compliance,
-                                                                const SurfaceGrid& lower, const SurfaceGrid& upper,
+                                                                const VolumeGrid& lower, const VolumeGrid& upper,
                                                                 double modulus, const Current::Materials& materials);
 
 } // namespace brinell::elastoplastic

@@ -103,6 +103,7 @@ public:
     std::span<const double>
         pressure_before{};    ///< at the beginning [Pa]; may be empty without a source between the surfaces
     bool is_source_on = true; ///< whether HeatSource acts in this increment
+    bool has_effects = false; ///< whether effects between the surfaces release heat in this increment
   };
   void begin(const Start& start);
   [[nodiscard]] bool is_steady() const;
@@ -114,8 +115,10 @@ public:
   };
   /// Computes the fluxes for a pressure and a heat of friction, and the thermal displacement that they cause.
   /// @param heat_per_area  friction work per area in the increment, not yet multiplied by the fraction [J/m^2]
+  /// @param of_effects     heat that effects release between the surfaces [W/m^2]; empty: none
   /// @returns the largest change of that displacement [m]
-  double follow(std::span<const double> pressure, std::span<const double> heat_per_area, Sharing sharing);
+  double follow(std::span<const double> pressure, std::span<const double> heat_per_area, Sharing sharing,
+                std::span<const double> of_effects = {});
   /// Adds the thermal displacement of both surfaces to the gap [m].
   void add_to_gap(std::span<double> gap) const;
   /// Adds the thermal displacement of a surface along x (axis 0) or y (1) on the contact grid [m]: after `recall` that before the
@@ -132,7 +135,8 @@ public:
   /// Finds the final fluxes of an increment, before `settle`.
   /// @param heat_per_area  as for `follow`, with the heat of points that left the contact
   /// @throws ConvergenceError if the partition of the heat between the surfaces does not converge
-  void find_fluxes(std::span<const double> pressure, std::span<const double> heat_per_area);
+  void find_fluxes(std::span<const double> pressure, std::span<const double> heat_per_area,
+                   std::span<const double> of_effects = {});
   /// Checks that the thermal grids reach as far as the pressure and the fluxes of the increment and its plastic work.
   /// @param works  plastic work of the bodies as in `settle_work`; empty where it does not heat
   /// @param grids  of the bodies
@@ -167,6 +171,8 @@ public:
   [[nodiscard]] double heat_of_friction() const;
   /// Heat of the HeatSource since the start [J].
   [[nodiscard]] double heat_of_source() const;
+  /// Heat of effects between the surfaces since the start [J].
+  [[nodiscard]] double heat_of_effects() const;
   /// Heat of the plastic work of both bodies since the start [J].
   [[nodiscard]] double heat_of_plastic_work() const;
   /// Work of the thermal displacement of the surfaces against the pressure and, with HeatNumerics::along_surface, the shear since

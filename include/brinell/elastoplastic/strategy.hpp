@@ -27,6 +27,8 @@ struct Motion
   bool returns = false; ///< includes the way back of the contact to its start: no heat from a HeatSource
   /// Distances that the contact moves over the lower and the upper body in the increment [m]. Placements follow by whole columns.
   std::array<double, 2> moved{};
+  double step =
+      0.0; ///< row of the history that the increment ends at, which counts from 0; between two rows within a step
   /// Of surfaces that slide everywhere: the share of the full friction at the end of an increment in which friction is
   /// raised before the surfaces move, from -1, the friction of the opposite direction, to 1; none: the surfaces move
   /// under full friction. The work of the shear in increments at rest counts as heat of the next increment that moves.

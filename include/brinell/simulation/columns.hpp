@@ -39,7 +39,7 @@ inline constexpr Column<FrictionRecord> share_at_shear_limit{
     "share of the contact where the shear is at the limit of the surface"};
 
 /// Columns of the scenarios in which bodies may be heated.
-inline constexpr std::array<Column<HeatedRecord>, 7> heated{{
+inline constexpr std::array<Column<HeatedRecord>, 8> heated{{
     {"max_temperature_lower", "degC", &HeatedRecord::max_temperature_lower,
      "largest temperature of the lower surface in and around the contact; without heat the bulk temperature"},
     {"max_temperature_upper", "degC", &HeatedRecord::max_temperature_upper,
@@ -49,6 +49,8 @@ inline constexpr std::array<Column<HeatedRecord>, 7> heated{{
     {"heat_upper", "J", &HeatedRecord::heat_upper,
      "heat that has entered the upper body by its surface since the start"},
     {"heat_of_source", "J", &HeatedRecord::heat_of_source, "heat of the source since the start"},
+    {"heat_of_current", "J", &HeatedRecord::heat_of_current,
+     "heat of the electric current in both bodies and the film between them since the start"},
     {"heat_of_plastic_work", "J", &HeatedRecord::heat_of_plastic_work,
      "heat of the plastic work of both bodies since the start"},
     {"work_of_expansion", "J", &HeatedRecord::work_of_expansion,

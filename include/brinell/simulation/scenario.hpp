@@ -173,6 +173,7 @@ struct HeatedRecord : FrictionRecord
   double max_temperature_lower = 0.0, max_temperature_upper = 0.0;
   double heat_lower = 0.0, heat_upper = 0.0; ///< heat that has entered each body by its surface since the start [J]
   double heat_of_source = 0.0;               ///< heat of the HeatSource since the start [J]
+  double heat_of_current = 0.0;              ///< heat of the electric current since the start [J]
   double heat_of_plastic_work = 0.0;         ///< heat of the plastic work of both bodies since the start [J]
 };
 

@@ -23,7 +23,13 @@ unless told), `cells` (cell values as pictures), `sheets` (maps that are long).
 from brinell.plot.animation import animate, save_animation
 from brinell.plot.asperities import friction_over_load, passes_map
 from brinell.plot.creepage import creep_curve
-from brinell.plot.current import contact_resistance, current_density_map
+from brinell.plot.current import (
+    contact_resistance,
+    contact_spots,
+    current_density_map,
+    resistance_characteristic,
+    resistance_course,
+)
 from brinell.plot.curves import measured_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
@@ -81,6 +87,7 @@ __all__ = [
     "contact_pressure",
     "contact_profiles",
     "contact_resistance",
+    "contact_spots",
     "creep_curve",
     "creep_forces",
     "creep_heat",
@@ -114,6 +121,8 @@ __all__ = [
     "point_histories",
     "pressure_map",
     "residual_surfaces",
+    "resistance_characteristic",
+    "resistance_course",
     "run_history",
     "save",
     "save_animation",

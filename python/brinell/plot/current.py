@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Electric contact: resistance over load, and density of the current; SI with prefixes."""
+"""Electric contact: resistance over load, steps and voltage, spots, and density of the current; SI with prefixes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,14 @@ from brinell.plot.sheets import lying, sheet_of
 from brinell.plot.states import of_state, state_title
 from brinell.results import Run, RunError, Snapshot
 
-__all__ = ["contact_resistance", "current_density_map", "has_current"]
+__all__ = [
+    "contact_resistance",
+    "contact_spots",
+    "current_density_map",
+    "has_current",
+    "resistance_characteristic",
+    "resistance_course",
+]
 
 FloatArray = NDArray[np.float64]
 
@@ -67,6 +74,104 @@ def _draw_laws(ax: Axes, load: FloatArray, resistance: FloatArray) -> None:
         law = resistance[least] * (span / load[least]) ** exponent
         ax.plot(span, law, color="gray", linewidth=1.0, linestyle=(0, dashes), label=f"$F^{{{name}}}$")
     ax.set_ylim(bottom, top)
+
+
+@style.figure
+def resistance_course(run: Run, *, ax: style.Target | None = None) -> Figure | None:
+    """The electrical resistance step by step, in fretting over the cycles, and the resistance of the film beside it.
+
+    Returns:
+        None unless both bodies conduct and touch in two rows of the history.
+    """
+    history = run.history
+    resistance = history.get("contact_resistance", np.zeros(len(history["F_n"])))
+    shown = (history["F_n"] > 0.0) & (resistance > 0.0) & np.isfinite(resistance)
+    if np.count_nonzero(shown) < 2:
+        return None
+    scale = si(float(resistance[shown].max()), "Ω")
+    x, label = _cycles(run) if run.scenario == "fretting" else (history["step"].astype(float), "step")
+    fig = style.new_figure(5.8, 3.8)
+    ax = fig.subplots()
+    ax.plot(x, np.where(shown, resistance, np.nan) / scale.size, color=style.LOWER, label="contact")
+    film = history.get("film_resistance", np.zeros(len(x)))
+    if np.any(film[shown] > 0.0):
+        area = np.where(shown, history["contact_area"], np.nan)
+        ax.plot(x, film / area / scale.size, color=style.REFERENCE, linestyle="--", label="mean film over contact area")
+        ax.legend()
+    ax.set_ylim(bottom=0.0)
+    ax.margins(x=0.02)
+    ax.set_xlabel(label)
+    ax.set_ylabel(scale.label("resistance", "R"))
+    return fig
+
+
+def _cycles(run: Run) -> tuple[FloatArray, str]:
+    """Number of cycles at the end of each step; below 0 while the bodies are pressed together."""
+    cycle = run.history["cycle"]
+    per_cycle = np.count_nonzero(cycle == 1)
+    if per_cycle == 0:
+        return run.history["step"].astype(float), "step"
+    return (run.history["step"] + 1.0 - np.count_nonzero(cycle == 0)) / per_cycle, "cycles"
+
+
+@style.figure
+def resistance_characteristic(run: Run, *, ax: style.Target | None = None) -> Figure | None:
+    """The R-U characteristic: resistance over voltage, and the temperature that belongs to the voltage.
+
+    Returns:
+        None unless the voltage of at least three steps in contact differs.
+    """
+    history = run.history
+    if "voltage" not in history:
+        return None
+    voltage, resistance = history["voltage"], history["contact_resistance"]
+    shown = (history["F_n"] > 0.0) & (voltage > 0.0) & np.isfinite(voltage) & np.isfinite(resistance)
+    if len(np.unique(np.round(voltage[shown], 12))) < 3:
+        return None
+    volts, scale = si(float(voltage[shown].max()), "V"), si(float(resistance[shown].max()), "Ω")
+    fig = style.new_figure(5.8, 4.0)
+    ax = fig.subplots()
+    ax.plot(voltage[shown] / volts.size, resistance[shown] / scale.size, marker="o", markersize=3.0, color=style.LOWER)
+    ax.set_xlabel(volts.label("voltage", "U"))
+    ax.set_ylabel(scale.label("resistance", "R"))
+    ax.set_ylim(bottom=0.0)
+    hot = ax.twinx()
+    order = np.argsort(voltage[shown])
+    temperature = history["contact_temperature"][shown][order]
+    hot.plot(voltage[shown][order] / volts.size, temperature, color=style.REFERENCE, linestyle="--")
+    hot.set_ylabel("contact temperature (dashed) in °C")
+    return fig
+
+
+@style.figure
+@of_state
+def contact_spots(run: Run, snapshot: Snapshot, *, ax: style.Target | None = None) -> Figure:
+    """Spots of the contact: the share of each in the current over the share in the area.
+
+    Spots on the line carry as much as their area; small ones that stand alone lie above it.
+
+    Raises:
+        RunError: no current flows in this state, or its density is not stored.
+    """
+    if not has_current(snapshot):
+        raise RunError(f"{run.path}: no electric current in the state at step {snapshot.step}, so nothing to draw")
+    spots = run.patches(snapshot.step)
+    density = snapshot.contact.current_density
+    assert density is not None
+    inside = spots.label >= 0
+    current = np.bincount(spots.label[inside], density[inside], minlength=len(spots.area))
+    area, current = spots.area / spots.area.sum(), current / current.sum()
+    fig = style.new_figure(4.8, 4.4)
+    ax = fig.subplots()
+    ax.plot(100.0 * area, 100.0 * current, "o", markersize=4.0, color=style.LOWER)
+    ends = np.array([min(area.min(), current.min()) / 1.5, min(1.0, max(area.max(), current.max())) * 1.5])
+    ax.plot(100.0 * ends, 100.0 * ends, color="gray", linewidth=1.0, linestyle=(0, (4, 2)))
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel("share in the contact area in %")
+    ax.set_ylabel("share in the current in %")
+    ax.set_title(f"{len(area)} spots:  {state_title(run, snapshot)}")
+    return fig
 
 
 @style.figure

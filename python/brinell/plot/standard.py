@@ -66,6 +66,12 @@ def standard_figures(run: Run) -> Iterator[Named]:
     if (resistance := current.contact_resistance(run)) is not None:
         caption = "Electrical resistance over the load, with the power laws of simple contacts."
         yield Named("contact-resistance", caption, "course", resistance)
+    if (resistance := current.resistance_course(run)) is not None:
+        caption = "Electrical resistance step by step, in fretting over the cycles."
+        yield Named("resistance-course", caption, "course", resistance)
+    if (resistance := current.resistance_characteristic(run)) is not None:
+        caption = "Resistance and temperature of the contact over the voltage."
+        yield Named("resistance-characteristic", caption, "course", resistance)
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
 

@@ -30,6 +30,7 @@ _OF_HEAT = (
     "heat_lower",
     "heat_upper",
     "heat_of_source",
+    "heat_of_current",
     "heat_of_plastic_work",
     "work_of_expansion",
 )

@@ -87,23 +87,26 @@ void Heating::begin(const Start& start)
   s.slides = start.slides;
   s.pressure_before.assign(start.pressure_before.begin(), start.pressure_before.end());
   s.is_source_on = start.is_source_on && s.settings.source.exists();
+  s.do_effects_heat = start.has_effects;
   s.touching.begin(s.contact.size());
   for (std::size_t side = 0; side < 2 && s.duration > 0.0; ++side)
   {
     const bool is_heated = s.is_source_on && s.settings.source.is_on_body() && s.settings.source.side() == side;
     s.sides[side].begin(start.grids[side], start.places[side], start.columns[side], s.duration,
-                        start.slides || s.is_source_between(),
+                        start.slides || s.is_source_between() || s.do_effects_heat,
                         is_heated ? std::span<const double>(s.imposed) : std::span<const double>());
   }
 }
 
-double Heating::follow(std::span<const double> pressure, std::span<const double> heat_per_area, Sharing sharing)
+double Heating::follow(std::span<const double> pressure, std::span<const double> heat_per_area, Sharing sharing,
+                       std::span<const double> of_effects)
 {
   State& s = *state_;
   if (s.duration == 0.0)
     return 0.0;
   std::vector<double> heat = s.power_of(heat_per_area);
   static_cast<void>(s.add_source_between(pressure, heat));
+  static_cast<void>(s.add_effects(of_effects, heat));
   return s.share_flux(heat, pressure, sharing);
 }
 
@@ -155,7 +158,8 @@ void Heating::require_room(std::span<const double> pressure, const std::array<st
   }
 }
 
-void Heating::find_fluxes(std::span<const double> pressure, std::span<const double> heat_per_area)
+void Heating::find_fluxes(std::span<const double> pressure, std::span<const double> heat_per_area,
+                          std::span<const double> of_effects)
 {
   State& s = *state_;
   if (s.duration == 0.0)
@@ -167,6 +171,7 @@ void Heating::find_fluxes(std::span<const double> pressure, std::span<const doub
   s.power_of_source = s.add_source_between(pressure, heat);
   if (s.is_source_on)
     s.power_of_source += sum(s.imposed) * s.contact.cell_area();
+  s.power_of_effects = s.add_effects(of_effects, heat);
   static_cast<void>(s.share_flux(heat, pressure, Sharing::fine));
 }
 
@@ -179,6 +184,7 @@ void Heating::settle(std::span<const double> pressure, const std::array<std::spa
   if (s.heats_without_flux())
     s.add_heat_without_flux(s.friction_of_increment);
   s.totals.of_source += s.power_of_source * s.duration;
+  s.totals.of_effects += s.power_of_effects * s.duration;
   s.count_held();
   for (HeatedSide& side : s.sides)
     side.settle();
@@ -247,6 +253,11 @@ double Heating::heat_of_friction() const
 double Heating::heat_of_source() const
 {
   return state_->totals.of_source;
+}
+
+double Heating::heat_of_effects() const
+{
+  return state_->totals.of_effects;
 }
 
 double Heating::heat_of_plastic_work() const

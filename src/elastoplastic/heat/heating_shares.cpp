@@ -112,6 +112,17 @@ double Heating::State::add_source_between(std::span<const double> pressure, std:
   return *settings.source.power;
 }
 
+/// Adds the flux of effects between the surfaces.
+/// @returns their power [W]
+double Heating::State::add_effects(std::span<const double> of_effects, std::vector<double>& heat) const
+{
+  if (!do_effects_heat)
+    return 0.0;
+  for (std::size_t i = 0; i < of_effects.size(); ++i)
+    heat[i] += of_effects[i];
+  return sum(of_effects) * contact.cell_area();
+}
+
 /// Adds heat that is not applied as a flux to the totals of the bodies, by the given partition [J].
 void Heating::State::add_heat_without_flux(double heat)
 {

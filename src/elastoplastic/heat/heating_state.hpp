@@ -25,7 +25,7 @@ struct HeatingPlan
 /// Heat and work since the start [J].
 struct HeatTotals
 {
-  double of_friction = 0.0, of_source = 0.0, work_on_tractions = 0.0;
+  double of_friction = 0.0, of_source = 0.0, of_effects = 0.0, work_on_tractions = 0.0;
   int most_held = 0;               ///< largest number of held cells in an increment
   double passed = 0.0, held = 0.0; ///< through the surfaces, and the part of it through held cells that are open
 
@@ -34,6 +34,7 @@ struct HeatTotals
     using S = HeatTotals;
     return std::tuple{listed(&S::of_friction, {"heat_of_friction"}),
                       listed(&S::of_source, {"heat_of_source"}),
+                      listed(&S::of_effects, {"heat_of_effects"}),
                       listed(&S::work_on_tractions, {"work_on_tractions"}),
                       listed(&S::most_held, {"most_held_cells"}, {.range = std::pair{0.0, 2e9}}),
                       listed(&S::passed, {"heat_passed"}),
@@ -63,8 +64,10 @@ struct Heating::State
   std::vector<double> pressure_before{};
   std::array<std::vector<double>, 2> along_before{}; ///< relative displacement, lower minus upper, along x and y [m]
   bool is_source_on = false;                         ///< whether a source acts
+  bool do_effects_heat = false;                      ///< whether effects between the surfaces release heat
   TouchingCells touching{};
-  double friction_of_increment = 0.0, power_of_source = 0.0; ///< heat of friction [J], and power that acted [W]
+  double friction_of_increment = 0.0, power_of_source = 0.0,
+         power_of_effects = 0.0; ///< heat of friction [J], and powers that acted [W]
   HeatTotals totals{};
 
   [[nodiscard]] bool is_source_between() const
@@ -75,6 +78,7 @@ struct Heating::State
   /// deformation returns.
   [[nodiscard]] bool heats_without_flux() const { return settings.regime == HeatRegime::steady && !slides; }
   [[nodiscard]] double add_source_between(std::span<const double> pressure, std::vector<double>& heat) const;
+  [[nodiscard]] double add_effects(std::span<const double> of_effects, std::vector<double>& heat) const;
   [[nodiscard]] std::vector<double> power_of(std::span<const double> heat_per_area) const;
   [[nodiscard]] std::vector<double> relative_displacement(std::size_t axis) const;
   [[nodiscard]] double work_along(const std::array<std::span<const double>, 2>& shears) const;

@@ -47,6 +47,7 @@ struct ContactParts : Between
   // Of the current increment
   std::vector<double> compliance_of_effects{}; ///< change of the gap per pressure by all effects [m/Pa]; empty: none
   double slid = 0.0;                           ///< Motion::slid, 0 if nothing slides [m]
+  double step = 0.0;                           ///< Motion::step
   std::array<double, 2> driven_along{};        ///< Interface::direction
   std::vector<double> distance{}; ///< of the surfaces with texture and residual displacement, at zero approach [m]
 
@@ -117,6 +118,10 @@ void begin_effects(ContactParts& contact);
 /// Lets the effects follow the trial.
 /// @returns the largest change of the gap by one of them [m]
 double evaluate_effects(ContactParts& contact);
+/// Sets the factors of the effects on the yield stress of the bodies, if they have any.
+void soften_by_effects(ContactParts& contact);
+/// After a converged increment: see Effect::renews_softening.
+[[nodiscard]] bool renews_softening(ContactParts& contact, const Placement& placement, int turn);
 [[nodiscard]] double largest_depth_of_effects(const ContactParts& contact);
 
 void begin_heating(ContactParts& contact, const Task& task);

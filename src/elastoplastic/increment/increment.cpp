@@ -15,6 +15,16 @@ namespace brinell::elastoplastic
 namespace
 {
 
+void restore_trial(ContactParts& c)
+{
+  for (Side& side : c.sides)
+    side.body.restore();
+  if (c.interface)
+    c.interface->restore();
+  if (c.heating)
+    c.heating->restore();
+}
+
 /// Restores the state before the increment on destruction, unless the increment was committed.
 class Rollback
 {
@@ -26,12 +36,7 @@ public:
       return;
     c_.state = std::move(state_);
     c_.window_error = window_error_;
-    for (Side& side : c_.sides)
-      side.body.restore();
-    if (c_.interface)
-      c_.interface->restore();
-    if (c_.heating)
-      c_.heating->restore();
+    restore_trial(c_);
   }
   Rollback(const Rollback&) = delete;
   Rollback& operator=(const Rollback&) = delete;
@@ -74,6 +79,27 @@ void begin(ContactParts& c, const Task& task)
   begin_effects(c);
   if (c.heating)
     begin_heating(c, task);
+  else
+    soften_by_effects(c);
+}
+
+/// Iterates an increment, and repeats it until the softening by the effects fits its end. Where the heat of the bodies is computed,
+/// that softens them.
+IncrementReport solve(ContactParts& c, const Task& task)
+{
+  int evaluations = 0;
+  for (int turn = 0;; ++turn)
+  {
+    begin(c, task);
+    IncrementReport report = iterate(c, task);
+    evaluations += report.evaluations;
+    report.evaluations = evaluations;
+    if (!report.converged || c.heating || !renews_softening(c, task.placement, turn))
+      return report;
+    restore_trial(c);
+    if (c.interface)
+      begin_friction(c, task);
+  }
 }
 
 /// Makes a converged trial the new state.
@@ -82,6 +108,8 @@ void commit(ContactParts& c, const Task& task, IncrementReport& report)
   on_sides(c, [&](std::size_t side) { c.sides[side].body.complete_trial(); });
   if (c.interface)
     settle_friction(c, task.placement);
+  for (const std::unique_ptr<Effect>& effect : c.effects)
+    effect->settle(interaction(c), task.placement);
   const std::array<std::vector<double>, 2> works = works_that_heat(c);
   if (c.heating)
     find_heat_of_increment(c, task.motion, works);
@@ -112,11 +140,11 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
     return report;
   }
   c.slid = motion.slides ? motion.slid : 0.0;
+  c.step = motion.step;
   if (c.interface)
     begin_friction(c, task);
   Rollback rollback(c);
-  begin(c, task);
-  IncrementReport report = iterate(c, task);
+  IncrementReport report = solve(c, task);
   if (!report.converged)
     return report;
   report.outgrown = outgrown(c);

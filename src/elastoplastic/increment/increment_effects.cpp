@@ -3,6 +3,7 @@
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
+#include <functional>
 
 /// Heat and other effects between the surfaces in an increment: docs/theory/elastoplastic.md (wear), docs/theory/heat.md
 /// (heat-of-friction).
@@ -24,11 +25,30 @@ void find_compliance(ContactParts& c)
       c.compliance_of_effects[i] += effect->compliance()[i];
 }
 
+/// Heat that the effects release between the surfaces [W/m^2]; empty: none.
+std::vector<double> heat_of_effects(const ContactParts& c)
+{
+  std::vector<double> sum;
+  for (const std::unique_ptr<Effect>& effect : c.effects)
+    if (const std::span<const double> heat = effect->heat(); !heat.empty())
+    {
+      sum.resize(heat.size());
+      std::transform(sum.begin(), sum.end(), heat.begin(), sum.begin(), std::plus<>());
+    }
+  return sum;
+}
+
+bool heats(const ContactParts& c)
+{
+  return std::any_of(c.effects.begin(), c.effects.end(),
+                     [](const std::unique_ptr<Effect>& effect) { return effect->heats(); });
+}
+
 } // namespace
 
 Interaction interaction(const ContactParts& c)
 {
-  return {c.interface.get(), c.state.pressure, c.state.gap, c.slid};
+  return {c.interface.get(), c.state.pressure, c.state.gap, c.slid, c.step};
 }
 
 // Not in the header: the type information of what is compiled for several processors stays there.
@@ -60,6 +80,22 @@ double evaluate_effects(ContactParts& c)
   return change;
 }
 
+void soften_by_effects(ContactParts& c)
+{
+  for (const std::unique_ptr<Effect>& effect : c.effects)
+    for (std::size_t side = 0; side < c.sides.size(); ++side)
+      if (const std::span<const double> factors = effect->softening(side); !factors.empty())
+        c.sides[side].body.set_softening(factors);
+}
+
+bool renews_softening(ContactParts& c, const Placement& placement, int turn)
+{
+  bool renewed = false;
+  for (const std::unique_ptr<Effect>& effect : c.effects)
+    renewed = effect->renews_softening(interaction(c), placement, turn) || renewed;
+  return renewed;
+}
+
 double largest_depth_of_effects(const ContactParts& c)
 {
   double depth = 0.0;
@@ -83,7 +119,8 @@ void begin_heating(ContactParts& c, const Task& task)
                     .duration = task.motion.duration,
                     .slides = c.interface->knows_slip() ? task.motion.slid > 0.0 : task.motion.slides,
                     .pressure_before = c.state.pressure,
-                    .is_source_on = !task.motion.returns});
+                    .is_source_on = !task.motion.returns,
+                    .has_effects = !task.motion.returns && heats(c)});
   for (std::size_t side = 0; side < c.sides.size() && task.motion.duration > 0.0; ++side)
   {
     c.sides[side].body.set_thermal_stress(c.heating->stress(side));
@@ -93,7 +130,7 @@ void begin_heating(ContactParts& c, const Task& task)
 
 double follow_heat(ContactParts& c, Heating::Sharing sharing)
 {
-  return c.heating->follow(c.state.pressure, c.interface->heat_of_trial(c.slid), sharing);
+  return c.heating->follow(c.state.pressure, c.interface->heat_of_trial(c.slid), sharing, heat_of_effects(c));
 }
 
 std::array<std::vector<double>, 2> works_that_heat(const ContactParts& c)
@@ -107,7 +144,7 @@ std::array<std::vector<double>, 2> works_that_heat(const ContactParts& c)
 
 void find_heat_of_increment(ContactParts& c, const Motion& motion, const std::array<std::vector<double>, 2>& works)
 {
-  c.heating->find_fluxes(c.state.pressure, c.interface->heat_of_increment(motion.slid));
+  c.heating->find_fluxes(c.state.pressure, c.interface->heat_of_increment(motion.slid), heat_of_effects(c));
   c.heating->require_room(c.state.pressure, works, c.grids());
 }
 

@@ -76,7 +76,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   if (twin != Twin::none && !sliding.effects.are_alike())
     throw InternalError("CoupledContact: bodies on which an effect acts in different ways are not twins");
   c.effects =
-      make_effects(sliding.effects, c.compliance, lower.surface, upper.surface,
+      make_effects(sliding.effects, c.compliance, lower, upper,
                    contact_modulus(lower_material.elastic, upper_material.elastic), {&lower_material, &upper_material});
   const auto half_space = operators(lower, lower_material.elastic);
   const BodySettings of_body{.shortcuts = settings.shortcuts,

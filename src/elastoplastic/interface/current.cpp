@@ -2,16 +2,16 @@
 #include "brinell/elastoplastic/current.hpp"
 
 #include "brinell/elastoplastic/effects.hpp"
+#include "brinell/foundation/embedding.hpp"
 #include "foundation/nan.hpp"
 #include "foundation/sharing.hpp"
+#include "spot_softening.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace brinell::elastoplastic
-{
-
-namespace
 {
 
 contact::HotConductor conductor(const constitutive::Material& material)
@@ -24,31 +24,133 @@ contact::HotConductor conductor(const constitutive::Material& material)
   return result;
 }
 
-} // namespace
+std::optional<double> CurrentDrive::at(double step, std::span<const double> values) const
+{
+  if (values.empty())
+    return std::nullopt;
+  const auto step_of = [&](std::size_t n) { return steps.empty() ? static_cast<double>(n) : steps.at(n); };
+  std::size_t next = 0;
+  while (next < values.size() && step_of(next) < step)
+    ++next;
+  if (next == 0 || next == values.size())
+    return next == 0 ? values.front() : values.back();
+  const double share = (step - step_of(next - 1)) / (step_of(next) - step_of(next - 1));
+  return share == 1.0 ? values[next] : values[next - 1] + share * (values[next] - values[next - 1]);
+}
 
-Current::Current(const halfspace::SurfaceCompliance& compliance, double modulus, const Materials& materials,
-                 const CurrentDrive& drive)
+bool CurrentDrive::drives() const
+{
+  const auto acts = [](double value) { return value > 0.0; };
+  return std::any_of(current.begin(), current.end(), acts) || std::any_of(voltage.begin(), voltage.end(), acts);
+}
+
+Current::Current(const halfspace::SurfaceCompliance& compliance, const VolumeGrid& lower, const VolumeGrid& upper,
+                 double modulus, const Materials& materials, const CurrentDrive& drive, const Wear* wear)
     : constriction_(compliance, modulus),
       grid_(compliance.grid()), bodies_{conductor(*materials[0]), conductor(*materials[1])},
       spreading_(bodies_[0].resistivity_at(bodies_[0].temperature) + bodies_[1].resistivity_at(bodies_[1].temperature)),
-      drive_(drive), film_(drive.film > 0.0 ? grid_.size() : 0, drive.film)
+      drive_(drive), film_law_(grid_, lower.surface, upper.surface, drive.film), wear_(wear)
 {
+  film_state_ = film_law_.start();
+  if (softens(*materials[0], drive, grid_) || softens(*materials[1], drive, grid_))
+    spot_softening_ = std::make_unique<const SpotSoftening>(grid_, std::array{lower, upper}, materials, spreading_);
 }
 
-void Current::commit(const Interaction& found, const Placement& /*placement*/)
+Current::~Current() = default;
+
+bool Current::softens(const constitutive::Material& material, const CurrentDrive& drive, const SurfaceGrid& contact)
 {
+  return drive.drives() && !drive.film.exists() && material.is_plastic() && material.softening &&
+         !contact.is_periodic_x() && !contact.is_periodic_y();
+}
+
+bool Current::renews_softening(const Interaction& found, const Placement& placement, int turn)
+{
+  constexpr double tolerance = 1e-3; // of the factors on the yield stress
+  constexpr int most_turns = 30, first_turns = 3;
+  if (!spot_softening_)
+    return false;
+  const contact::Flow flow = constriction_.flow({found.pressure(), found.gap()}, spreading_, {}, state_.per_volt);
+  const std::optional<contact::HotContact> hot =
+      flow.conductance == 0.0 ? contact::HotContact{} : hot_contact(flow, found.step());
+  if (!hot || !std::isfinite(flow.conductance)) // without a steady state: told, and not iterated on
+    return false;
+  const std::vector<double> none(grid_.size());
+  double change = 0.0;
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    const std::vector<double> now = spot_softening_->factors(side, side == 0 ? placement.lower : placement.upper,
+                                                             flow.density.empty() ? none : flow.density, bodies_, *hot);
+    std::vector<double>& factors = state_.softening[side];
+    factors.resize(now.size(), 1.0);
+    // Under a current softer spots are larger and cooler: half of the change in later turns, so that it cannot swing.
+    const double share = turn < first_turns ? 1.0 : 0.5;
+    for (std::size_t i = 0; i < now.size(); ++i)
+    {
+      change = std::max(change, std::abs(now[i] - factors[i]));
+      factors[i] += share * (now[i] - factors[i]);
+    }
+  }
+  if (turn < most_turns)
+    return change > tolerance;
+  state_.softening_error = std::max(state_.softening_error, change);
+  return false;
+}
+
+void Current::begin(const Interaction& /*before*/)
+{
+  if (!heats())
+    return;
+  heat_.assign(state_.density.begin(), state_.density.end());
+  for (double& value : heat_)
+    value *= state_.heating_voltage;
+}
+
+void Current::settle(const Interaction& found, const Placement& placement)
+{
+  next_ = state_;
+  next_film_ = film_state_;
+  film_law_.advance(
+      next_film_, found, placement,
+      {wear_ ? wear_->depth(0) : std::span<const double>(), wear_ ? wear_->depth(1) : std::span<const double>()});
+  film_ = film_law_.resistance(next_film_, placement);
   contact::Flow flow =
-      constriction_.flow({found.pressure(), found.gap()}, spreading_, film_, std::move(state_.per_volt));
-  state_.spots = static_cast<int>(flow.of_patch.size());
-  state_.largest_share =
+      constriction_.flow({found.pressure(), found.gap()}, spreading_, film_, std::move(next_.per_volt));
+  next_.spots = static_cast<int>(flow.of_patch.size());
+  next_.largest_share =
       flow.of_patch.empty() ? 0.0 : *std::max_element(flow.of_patch.begin(), flow.of_patch.end()) / flow.conductance;
-  state_.temperature = std::max(bodies_[0].temperature, bodies_[1].temperature);
-  drive_through(flow, found.pressure());
+  next_.temperature = std::max(bodies_[0].temperature, bodies_[1].temperature);
+  clean_conductance_ = film_.empty() ? std::optional(flow.conductance * spreading_) : std::nullopt;
+  drive_through(flow, found);
   find_density(flow);
-  state_.per_volt = std::move(flow.density);
-  if (state_.resistance < state_.least_resistance)
-    state_.least_resistance = state_.resistance;
-  state_.largest_temperature = larger(state_.largest_temperature, state_.temperature);
+  find_means(found.pressure());
+  next_.per_volt = std::move(flow.density);
+  next_.least_resistance = std::min(next_.least_resistance, next_.resistance);
+  next_.largest_temperature = larger(next_.largest_temperature, next_.temperature);
+  if (!heats())
+    return;
+  heat_.resize(grid_.size());
+  for (std::size_t i = 0; i < heat_.size(); ++i)
+    heat_[i] = 0.5 * (heat_[i] + next_.heating_voltage * next_.density[i]);
+}
+
+void Current::commit(const Interaction& /*found*/, const Placement& /*placement*/)
+{
+  state_ = std::move(next_);
+  film_state_ = std::move(next_film_);
+}
+
+void Current::find_means(std::span<const double> pressure)
+{
+  double sum = 0.0;
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < film_.size(); ++i)
+    if (pressure[i] > 0.0)
+    {
+      sum += film_[i];
+      ++touching;
+    }
+  next_.mean_film = touching > 0 ? sum / static_cast<double>(touching) : 0.0;
 }
 
 /// Finds the density. Heat does not change the share of each spot; a contact without resistance has a uniform density.
@@ -56,58 +158,68 @@ void Current::find_density(const contact::Flow& flow)
 {
   const bool is_full = std::isinf(flow.conductance);
   const double whole = static_cast<double>(grid_.size()) * grid_.cell_area();
-  state_.density = is_full ? std::vector<double>(grid_.size(), 1.0 / whole) : flow.whole_density(grid_.cell_area());
-  state_.density.resize(grid_.size()); // without contact
-  const double scale = is_full ? state_.current : flow.conductance > 0.0 ? state_.current / flow.conductance : 0.0;
-  state_.largest_density = 0.0;
-  for (double& value : state_.density)
+  next_.density = is_full ? std::vector<double>(grid_.size(), 1.0 / whole) : flow.whole_density(grid_.cell_area());
+  next_.density.resize(grid_.size()); // without contact
+  const double scale = is_full ? next_.current : flow.conductance > 0.0 ? next_.current / flow.conductance : 0.0;
+  next_.largest_density = 0.0;
+  for (double& value : next_.density)
   {
     value *= scale;
-    state_.largest_density = std::max(state_.largest_density, value);
+    next_.largest_density = std::max(next_.largest_density, value);
   }
 }
 
+/// The contact without a film. The factor of shape does not depend on temperature: the isotherms are those of the cold contact.
+std::optional<contact::HotContact> Current::hot_contact(const contact::Flow& flow, double step) const
+{
+  if (const std::optional<double> voltage = drive_.at(step, drive_.voltage))
+    return contact::hot_contact(bodies_, *voltage);
+  const double current = drive_.at(step, drive_.current).value_or(0.0);
+  return contact::hot_contact_of_current(bodies_, current / (flow.conductance * spreading_));
+}
+
 /// Finds resistance, current and voltage.
-void Current::drive_through(const contact::Flow& flow, std::span<const double> pressure)
+void Current::drive_through(const contact::Flow& flow, const Interaction& found)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  state_.resistance = flow.conductance > 0.0 ? 1.0 / flow.conductance : flow.conductance == 0.0 ? infinite : nan;
+  next_.resistance = flow.conductance > 0.0 ? 1.0 / flow.conductance : flow.conductance == 0.0 ? infinite : nan;
+  const std::optional<double> current = drive_.at(found.step(), drive_.current),
+                              voltage = drive_.at(found.step(), drive_.voltage);
+  next_.heating_voltage = 0.0;
   const bool is_path = flow.conductance > 0.0 && std::isfinite(flow.conductance);
   if (!is_path) // open, or without resistance
   {
     const bool is_open = flow.conductance == 0.0;
-    const double driven = drive_.current.value_or(0.0);
-    state_.current = is_open ? 0.0 : drive_.voltage.value_or(0.0) > 0.0 ? infinite : driven;
-    state_.voltage = is_open && driven > 0.0 ? infinite : is_open ? drive_.voltage.value_or(0.0) : 0.0;
+    const double driven = current.value_or(0.0);
+    next_.current = is_open ? 0.0 : voltage.value_or(0.0) > 0.0 ? infinite : driven;
+    next_.voltage = is_open && driven > 0.0 ? infinite : is_open ? voltage.value_or(0.0) : 0.0;
     return;
   }
   if (!film_.empty())
   {
-    state_.voltage = drive_.voltage ? *drive_.voltage : drive_.current.value_or(0.0) * state_.resistance;
-    state_.current = drive_.current.value_or(state_.voltage * flow.conductance);
-    return heat_up(flow, pressure);
+    next_.voltage = voltage ? *voltage : current.value_or(0.0) * next_.resistance;
+    next_.current = current.value_or(next_.voltage * flow.conductance);
+    next_.heating_voltage = next_.voltage;
+    return heat_up(flow, found.pressure());
   }
-  // The factor of shape does not depend on temperature: the isotherms are those of the cold contact.
-  const double shape = flow.conductance * spreading_;
-  const std::optional<contact::HotContact> hot =
-      drive_.voltage ? contact::hot_contact(bodies_, *drive_.voltage)
-                     : contact::hot_contact_of_current(bodies_, drive_.current.value_or(0.0) / shape);
-  state_.voltage = hot ? hot->voltage : nan;
-  state_.current = drive_.current.value_or(hot ? shape * hot->flow : nan);
-  state_.temperature = hot ? hot->temperature : nan;
+  const std::optional<contact::HotContact> hot = hot_contact(flow, found.step());
+  next_.voltage = hot ? hot->voltage : nan;
+  next_.current = current.value_or(hot ? flow.conductance * spreading_ * hot->flow : nan);
+  next_.temperature = hot ? hot->temperature : nan;
   if (!hot || hot->flow > 0.0)
-    state_.resistance = state_.voltage / state_.current;
+    next_.resistance = next_.voltage / next_.current;
+  next_.heating_voltage = hot ? hot->voltage : next_.current / flow.conductance; // without a steady state as if cold
 }
 
 /// Finds the temperature of a contact with a film.
 void Current::heat_up(const contact::Flow& flow, std::span<const double> pressure)
 {
-  if (state_.voltage == 0.0)
+  if (next_.voltage == 0.0)
     return;
   std::vector<double> density(flow.density), source(flow.density.size());
   for (std::size_t i = 0; i < density.size(); ++i)
   {
-    density[i] *= state_.voltage;
+    density[i] *= next_.voltage;
     source[i] = film_[i] * density[i] * density[i];
   }
   std::array<contact::Constriction::Conductor, 2> bodies;
@@ -120,7 +232,7 @@ void Current::heat_up(const contact::Flow& flow, std::span<const double> pressur
   const std::vector<double> temperature = constriction_.temperature(pressure, density, source, bodies);
   for (std::size_t i = 0; i < temperature.size(); ++i)
     if (pressure[i] > 0.0)
-      state_.temperature = std::max(state_.temperature, temperature[i]);
+      next_.temperature = std::max(next_.temperature, temperature[i]);
 }
 
 void Current::report(EffectTotals& totals) const
@@ -133,15 +245,29 @@ void Current::report(EffectTotals& totals) const
   totals.current_spots = state_.spots;
   totals.largest_spot_share = state_.largest_share;
   totals.contact_temperature = state_.temperature;
+  totals.film_resistance = state_.mean_film;
+  totals.softening_error = state_.softening_error;
   totals.min_contact_resistance = state_.least_resistance;
   totals.max_contact_temperature = state_.largest_temperature;
 }
 
+void Current::exchange(Archive& archive)
+{
+  exchange_members(archive, state_);
+  exchange_members(archive, film_state_);
+}
+
 void Current::embed(const Effect& smaller_grids)
 {
-  state_ = dynamic_cast<const Current&>(smaller_grids).state_;
-  for (std::vector<double>* field : {&state_.density, &state_.per_volt}) // found anew by the increment that follows
+  const auto& smaller = dynamic_cast<const Current&>(smaller_grids);
+  state_ = smaller.state_;
+  film_state_ = film_law_.embedded(smaller.film_law_, smaller.film_state_);
+  for (std::vector<double>& factors : state_.softening)
+    factors.clear(); // found anew by the increment that follows
+  for (std::vector<double>* field : {&state_.density, &state_.per_volt})
     field->assign(grid_.size(), 0.0);
+  if (!smaller.state_.density.empty()) // the heat of the increment that follows begins with it; the guess is found anew
+    embed_field(smaller.grid_, smaller.state_.density, grid_, state_.density);
 }
 
 } // namespace brinell::elastoplastic

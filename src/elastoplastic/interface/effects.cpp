@@ -10,9 +10,20 @@ namespace
 struct Between
 {
   const halfspace::SurfaceCompliance& compliance;
-  const SurfaceGrid &lower, &upper;
+  const VolumeGrid &lower, &upper;
   double modulus;
   const Current::Materials& materials;
+  std::span<const std::unique_ptr<Effect>> before; ///< effects that have been made
+
+  /// An effect made before; nullptr if it does not act.
+  template <typename Kind>
+  [[nodiscard]] const Kind* other() const
+  {
+    for (const std::unique_ptr<Effect>& one : before)
+      if (const auto* found = dynamic_cast<const Kind*>(one.get()))
+        return found;
+    return nullptr;
+  }
 };
 
 /// An effect: its name, when it acts, and how it is made.
@@ -26,10 +37,17 @@ struct Kind
 constexpr std::array kinds{
     Kind{"wear", [](const Effects& s, const Current::Materials&) { return s.wear.wears(); },
          [](const Effects& s, const Between& b) -> std::unique_ptr<Effect>
-         { return std::make_unique<Wear>(b.compliance.grid(), b.lower, b.upper, s.wear, b.modulus); }},
+         { return std::make_unique<Wear>(b.compliance.grid(), b.lower.surface, b.upper.surface, s.wear, b.modulus); }},
     Kind{"current", [](const Effects&, const Current::Materials& materials) { return Current::flows(materials); },
          [](const Effects& s, const Between& b) -> std::unique_ptr<Effect>
-         { return std::make_unique<Current>(b.compliance, b.modulus, b.materials, s.current); }},
+         {
+           return std::make_unique<Current>(b.compliance, b.lower, b.upper, b.modulus, b.materials, s.current,
+                                            b.other<Wear>());
+         }},
+    Kind{"conduction",
+         [](const Effects&, const Current::Materials& materials) { return Conduction::is_known(materials); },
+         [](const Effects&, const Between& b) -> std::unique_ptr<Effect>
+         { return std::make_unique<Conduction>(b.compliance, b.modulus, b.materials, b.other<Current>()); }},
 };
 
 } // namespace
@@ -45,13 +63,13 @@ std::vector<std::string_view> names_of(const Effects& settings, const Current::M
 
 std::vector<std::unique_ptr<Effect>> make_effects(const Effects& settings,
                                                   const halfspace::SurfaceCompliance& compliance,
-                                                  const SurfaceGrid& lower, const SurfaceGrid& upper, double modulus,
+                                                  const VolumeGrid& lower, const VolumeGrid& upper, double modulus,
                                                   const Current::Materials& materials)
 {
   std::vector<std::unique_ptr<Effect>> effects;
   for (const Kind& kind : kinds)
     if (kind.acts(settings, materials))
-      effects.push_back(kind.make(settings, {compliance, lower, upper, modulus, materials}));
+      effects.push_back(kind.make(settings, {compliance, lower, upper, modulus, materials, effects}));
   return effects;
 }
 

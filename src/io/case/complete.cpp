@@ -289,11 +289,14 @@ void warn_of_heat(const CaseReader& reader, Case& c, const ScenarioCase& scenari
   const bool has_source = scenario.friction.coefficient > 0.0 || scenario.heat.source.exists();
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
     if (body->material.thermal && !(can_heat && has_source) && !body->material.electrical)
-      warn(c, "no_heat", "{}.material.thermal has no effect: {}", name,
+      warn(c, "no_heat", "{}.material.thermal has no effect on the contact: {}", name,
            can_heat ? "without interface.friction or thermal.source there is no heat"
                     : "no heat is computed in this scenario");
   for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
-    if (body->material.softening && !(can_heat && has_source && body->material.thermal))
+    if (body->material.softening && !(can_heat && has_source && body->material.thermal) &&
+        !elastoplastic::Current::softens(
+            body->material, scenario.current,
+            {.boundary_x = scenario.domain.x.boundary, .boundary_y = scenario.domain.y.boundary}))
       warn(c, "no_heat", "{}.material.softening has no effect: no heat is computed in this case", name);
   if constexpr (can_heat)
     if (!(has_source && (scenario.lower.material.thermal || scenario.upper.material.thermal)))

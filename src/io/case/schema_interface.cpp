@@ -108,29 +108,65 @@ std::vector<Entry> wear_entries()
 std::vector<Entry> current_entries()
 {
   using elastoplastic::CurrentDrive;
+  using elastoplastic::FilmLaw;
   constexpr CurrentDrive simulation::Numerics::*drive = &simulation::Numerics::current;
   const auto entry = [](Entry given, auto member) { return bound(std::move(given), drive, member); };
+  // Films change where surfaces slide.
+  const auto film = [](Entry given, auto member)
+  { return bound(std::move(given), drive, &CurrentDrive::film, member); };
+  const auto sliding = [&, all = scenarios_with_record<simulation::FrictionRecord>()](Entry given, auto member)
+  {
+    given.when = {"scenario", all};
+    return film(std::move(given), member);
+  };
   return {
       entry({.key = "interface.current",
-             .of = kind::current.at_least(0.0),
+             .of = kind::current.at_least(0.0).list(),
              .unset = "no current",
              .text = "Electric current between bodies that both have an electrical resistivity; over a period, that "
-                     "of one period.",
+                     "of one period. A list: the values at the ends of the steps 0, 1, 2, ..., or of those of "
+                     "current_steps; the last one is kept.",
              .excludes = "interface.voltage",
              .member = "CurrentDrive::current"},
             &CurrentDrive::current),
       entry({.key = "interface.voltage",
-             .of = kind::voltage.at_least(0.0),
+             .of = kind::voltage.at_least(0.0).list(),
              .unset = "no current",
-             .text = "Voltage between points of the two bodies far from the contact, in place of a current.",
+             .text = "Voltage between points of the two bodies far from the contact, in place of a current; or a list, "
+                     "as for a current.",
              .excludes = "interface.current",
              .member = "CurrentDrive::voltage"},
             &CurrentDrive::voltage),
-      entry({.key = "interface.film_resistance",
-             .of = kind::area_resistance.at_least(0.0),
-             .text = "Resistance times area of a film between the surfaces, such as an oxide. 0: no film.",
-             .member = "CurrentDrive::film"},
-            &CurrentDrive::film),
+      entry({.key = "interface.current_steps",
+             .of = kind::number.at_least(0.0).list(),
+             .unset = "0, 1, 2 and so on",
+             .text = "Steps at whose ends the values of a list of currents or voltages hold, ascending; step 0 is the "
+                     "first row of the history. In between the drive is linear, before and after them constant.",
+             .member = "CurrentDrive::steps"},
+            &CurrentDrive::steps),
+      film({.key = "interface.film_resistance",
+            .of = kind::area_resistance.at_least(0.0),
+            .text = "Resistance times area of a film between the surfaces, such as an oxide. 0: no film.",
+            .member = "FilmLaw::resistance"},
+           &FilmLaw::resistance),
+      sliding({.key = "interface.film_growth",
+               .of = kind::resistivity.at_least(0.0),
+               .text = "Growth of the film where the surfaces slip under pressure: film_resistance gained per slip "
+                       "path, half of it on each surface.",
+               .member = "FilmLaw::growth"},
+              &FilmLaw::growth),
+      sliding({.key = "interface.film_limit",
+               .of = kind::area_resistance.above(0.0),
+               .unset = "no limit",
+               .text = "Resistance times area that a film does not exceed by growing.",
+               .member = "FilmLaw::limit"},
+              &FilmLaw::limit),
+      sliding({.key = "interface.film_wear",
+               .of = kind::resistivity.at_least(0.0),
+               .text = "Film that wear takes away: film_resistance lost by a surface per worn depth, which is the "
+                       "resistivity of the film if it wears like its surface.",
+               .member = "FilmLaw::wear"},
+              &FilmLaw::wear),
   };
 }
 

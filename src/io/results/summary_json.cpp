@@ -141,7 +141,7 @@ void put_effects(Json& json, const ScenarioCase& c, const RunTotals& s)
 /// @param fraction  share of the friction work that heats the bodies
 Json heat_json(double fraction, const RunTotals& s, const simulation::HeatedRecord& last)
 {
-  const double given = fraction * s.dissipation_friction + last.heat_of_source;
+  const double given = fraction * s.dissipation_friction + last.heat_of_source + last.heat_of_current;
   // Between bodies of different temperatures far more heat may flow than friction generates.
   const double largest = std::max({given, std::abs(last.heat_lower), std::abs(last.heat_upper)});
   return {{"max_temperature_lower_degC", s.max_temperature[0]},
@@ -149,6 +149,7 @@ Json heat_json(double fraction, const RunTotals& s, const simulation::HeatedReco
           {"lower_J", last.heat_lower},
           {"upper_J", last.heat_upper},
           {"of_source_J", last.heat_of_source},
+          {"of_current_J", last.heat_of_current},
           {"of_plastic_work_J", last.heat_of_plastic_work},
           {"work_of_expansion_J", s.work_of_expansion},
           {"balance_error", largest > 0.0 ? (given - last.heat_lower - last.heat_upper) / largest : 0.0},

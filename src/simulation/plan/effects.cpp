@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "effects.hpp"
 
+#include "heat.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <utility>
 
 namespace brinell::simulation
@@ -29,14 +33,64 @@ void require_wear(const PairCase& c, const std::string& why_no_slip)
                     "no wear; allowed: friction > 0, or the law \"archard\"");
 }
 
-/// The first of the drives and the film that is given, as messages name it; empty if none is.
-std::string given_of(const elastoplastic::CurrentDrive& drive)
+using elastoplastic::CurrentDrive;
+
+/// A list as messages name it: "2", "[0, 1]".
+std::string text_of(const std::vector<double>& values)
 {
-  if (drive.current)
-    return fmt::format("`CurrentDrive::current` = {:g} A", *drive.current);
-  if (drive.voltage)
-    return fmt::format("`CurrentDrive::voltage` = {:g} V", *drive.voltage);
-  return drive.film > 0.0 ? fmt::format("`CurrentDrive::film` = {:g} ohm m^2", drive.film) : std::string();
+  return values.size() == 1 ? fmt::format("{:g}", values[0]) : fmt::format("[{:g}]", fmt::join(values, ", "));
+}
+
+/// The first of the drives and the film that is given, as messages name it; empty if none is.
+std::string given_of(const CurrentDrive& drive)
+{
+  if (!drive.current.empty())
+    return fmt::format("`CurrentDrive::current` = {} A", text_of(drive.current));
+  if (!drive.voltage.empty())
+    return fmt::format("`CurrentDrive::voltage` = {} V", text_of(drive.voltage));
+  if (drive.film.resistance > 0.0)
+    return fmt::format("`FilmLaw::resistance` = {:g} ohm m^2", drive.film.resistance);
+  return drive.film.growth > 0.0 ? fmt::format("`FilmLaw::growth` = {:g} ohm m", drive.film.growth) : std::string();
+}
+
+void require_at_least_zero(const char* key, double value)
+{
+  if (!(value >= 0.0 && std::isfinite(value)))
+    throw PlanError("{} = {:g}; allowed: number >= 0", key, value);
+}
+
+void require_steps(const CurrentDrive& drive)
+{
+  if (drive.steps.empty())
+    return;
+  const std::size_t values = std::max(drive.current.size(), drive.voltage.size());
+  const std::string given = fmt::format("`CurrentDrive::steps` = {}", text_of(drive.steps));
+  if (values == 0)
+    throw PlanError("{}, but there is no current; allowed: with `CurrentDrive::current` or `CurrentDrive::voltage`",
+                    given);
+  if (drive.steps.size() != values)
+    throw PlanError("{} has {} steps, but {} has {} values; allowed: as many steps as values", given,
+                    drive.steps.size(), given_of(drive), values);
+  for (std::size_t n = 0; n < drive.steps.size(); ++n)
+    if (!(drive.steps[n] >= 0.0 && std::isfinite(drive.steps[n])) || (n > 0 && !(drive.steps[n] > drive.steps[n - 1])))
+      throw PlanError("{}: element {} is {:g}; allowed: steps >= 0 in ascending order", given, n + 1, drive.steps[n]);
+}
+
+void require_film(const elastoplastic::FilmLaw& film, const Numerics& numerics, const std::string& reason)
+{
+  require_at_least_zero("`FilmLaw::resistance`", film.resistance);
+  require_at_least_zero("`FilmLaw::growth`", film.growth);
+  require_at_least_zero("`FilmLaw::wear`", film.wear);
+  if (film.limit && !(*film.limit >= film.resistance && *film.limit > 0.0 && std::isfinite(*film.limit)))
+    throw PlanError("`FilmLaw::limit` = {:g} ohm m^2 with `FilmLaw::resistance` = {:g} ohm m^2; allowed: > 0 and not "
+                    "less than the film at the start",
+                    *film.limit, film.resistance);
+  if (film.growth > 0.0 && !reason.empty())
+    throw PlanError("`FilmLaw::growth` = {:g} ohm m: {}", film.growth, reason);
+  if (film.wear > 0.0 && !numerics.wear.wears())
+    throw PlanError("`FilmLaw::wear` = {:g} ohm m, but nothing wears; allowed: with `WearLaw::lower` or "
+                    "`WearLaw::upper`",
+                    film.wear);
 }
 
 void require_electrical(const constitutive::Electrical& electrical, const std::string& body)
@@ -49,29 +103,36 @@ void require_electrical(const constitutive::Electrical& electrical, const std::s
                     electrical.temperature_coefficient);
 }
 
-void require_current(const PairCase& c, const std::string& /*why_no_slip*/)
+void require_current(const PairCase& c, const std::string& why_no_slip)
 {
-  const elastoplastic::CurrentDrive& drive = c.current;
-  for (const auto& [key, value] : {std::pair{"`CurrentDrive::current`", drive.current.value_or(0.0)},
-                                   {"`CurrentDrive::voltage`", drive.voltage.value_or(0.0)},
-                                   {"`CurrentDrive::film`", drive.film}})
-    if (!(value >= 0.0 && std::isfinite(value)))
-      throw PlanError("{} = {:g}; allowed: number >= 0", key, value);
-  if (drive.current && drive.voltage)
-    throw PlanError("{} together with `CurrentDrive::voltage` = {:g} V: each follows from the other; allowed: one of "
+  const CurrentDrive& drive = c.current;
+  for (const auto& [key, values] :
+       {std::pair{"`CurrentDrive::current`", &drive.current}, {"`CurrentDrive::voltage`", &drive.voltage}})
+    for (const double value : *values)
+      require_at_least_zero(key, value);
+  require_film(drive.film, c, why_no_slip);
+  if (!drive.current.empty() && !drive.voltage.empty())
+    throw PlanError("{} together with `CurrentDrive::voltage` = {} V: each follows from the other; allowed: one of "
                     "them",
-                    given_of(drive), *drive.voltage);
+                    given_of(drive), text_of(drive.voltage));
+  require_steps(drive);
   for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
   {
     if (body->material.electrical)
+    {
       require_electrical(*body->material.electrical, name);
+      require_solid(name, body->material);
+    }
     else if (const std::string given = given_of(drive); !given.empty())
       throw PlanError("{}: the {} body insulates; allowed: with {}", given, name,
                       member_of(name, "material.electrical.resistivity"));
-    if (drive.film > 0.0 && body->material.electrical->temperature_coefficient > 0.0)
-      throw PlanError("`CurrentDrive::film` = {:g} ohm m^2: the current through a film is found for resistivities that "
+    if (drive.film.exists() && body->material.electrical->temperature_coefficient > 0.0)
+      throw PlanError("{}: the current through a film is found for resistivities that "
                       "do not depend on temperature; allowed: with {} = 0",
-                      drive.film, member_of(name, "material.electrical.temperature_coefficient"));
+                      drive.film.resistance > 0.0
+                          ? fmt::format("`FilmLaw::resistance` = {:g} ohm m^2", drive.film.resistance)
+                          : fmt::format("`FilmLaw::growth` = {:g} ohm m", drive.film.growth),
+                      member_of(name, "material.electrical.temperature_coefficient"));
   }
 }
 

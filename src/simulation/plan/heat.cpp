@@ -18,15 +18,6 @@ void require_share(const char* key, double share)
     throw PlanError("{} = {:g}; allowed: from 0 to 1", key, share);
 }
 
-/// Checks that the bulk temperature of a body is below its melting temperature.
-void require_solid(const char* name, const constitutive::Material& material)
-{
-  const auto melting = material.softening ? constitutive::melting_temperature(*material.softening) : std::nullopt;
-  if (melting && material.temperature >= *melting)
-    throw PlanError("{} = {:g} degC, but by its softening law the body melts at {:g} degC; allowed: below that",
-                    member_of(name, "material.temperature"), material.temperature, *melting);
-}
-
 bool swells(const constitutive::Material& material)
 {
   return material.thermal && material.thermal->expansion != 0.0;
@@ -111,6 +102,14 @@ void require_steady(const PairCase& c, const HeatedMotion& motion)
 }
 
 } // namespace
+
+void require_solid(const char* name, const constitutive::Material& material)
+{
+  const auto melting = material.softening ? constitutive::melting_temperature(*material.softening) : std::nullopt;
+  if (melting && material.temperature >= *melting)
+    throw PlanError("{} = {:g} degC, but by its softening law the body melts at {:g} degC; allowed: below that",
+                    member_of(name, "material.temperature"), material.temperature, *melting);
+}
 
 bool is_heated(const PairCase& c)
 {

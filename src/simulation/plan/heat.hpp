@@ -12,6 +12,11 @@ namespace brinell::simulation
 /// Whether heat is computed: there is friction or a heat source, and at least one body has thermal constants.
 [[nodiscard]] bool is_heated(const PairCase& c);
 
+/// Checks that the bulk temperature of a body is below its melting temperature.
+/// @param name  of the body
+/// @throws PlanError
+void require_solid(const char* name, const constitutive::Material& material);
+
 /// Motion of heated bodies.
 struct HeatedMotion
 {

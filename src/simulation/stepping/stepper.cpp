@@ -169,9 +169,15 @@ void Stepper::exchange(Archive& archive)
   archive("coverage", coverage_);
 }
 
-int Stepper::advance(const std::function<Target(double)>& path, double finest, const std::string& where,
+int Stepper::advance(const std::function<Target(double)>& way, double finest, const std::string& where,
                      const std::function<void()>& at_onset)
 {
+  const auto path = [&](double t)
+  {
+    Target target = way(t);
+    target.step = steps_ - 1 + t;
+    return target;
+  };
   evaluations_ = 0;
   where_ = where;
   const auto work_so_far = [this] { return pair_->sliding() != nullptr ? pair_->sliding()->work() : 0.0; };
@@ -264,6 +270,7 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
                                  .duration = target.time - time_,
                                  .is_put_down = target.is_put_down,
                                  .returns = target.returns,
+                                 .step = target.step,
                                  .share_at_rest = target.share_at_rest};
     if (target.passing)
       motion.moved = {(*target.passing)[0] * motion.duration, (*target.passing)[1] * motion.duration};

@@ -32,6 +32,7 @@ struct Target
   /// them: those of the motion before which they are pressed together and after which they part [m/s].
   std::optional<std::array<double, 2>> passing{};
   std::optional<double> share_at_rest{}; ///< see Motion::share_at_rest
+  double step = 0.0;                     ///< see Motion::step; set by `Stepper::advance`
 };
 
 /// The contact grid at one moment of the motion.
@@ -86,18 +87,18 @@ public:
   };
   Stepper(const Plan& plan, Setup setup);
 
-  /// Advances from the present state, `path(0)`, to `path(1)`. A piece of the path that does not converge is halved, as long as
+  /// Advances from the present state, `way(0)`, to `way(1)`. A piece of the way that does not converge is halved, as long as
   /// it is longer than `finest`. A piece of the finest length that does not converge is solved by the plain fixed point of the
   /// convex problem (backward Euler), whose energy is watched. If a solution outgrows a grid, the grid is enlarged and the piece
   /// is solved again.
-  /// Where plastic surfaces begin to slide, or reverse, under pressure, friction is raised at `path(0)` first, in
+  /// Where plastic surfaces begin to slide, or reverse, under pressure, friction is raised at `way(0)` first, in
   /// increments at rest:
   /// docs/theory/simulation.md (friction).
   /// @param where     description of the step for messages.
   /// @param at_onset  called when full friction acts and the surfaces have not moved yet; not called in other steps.
   /// @returns number of evaluations.
   /// @throws ConvergenceError; GridError if larger grids do not fit into the memory
-  int advance(const std::function<Target(double)>& path, double finest, const std::string& where,
+  int advance(const std::function<Target(double)>& way, double finest, const std::string& where,
               const std::function<void()>& at_onset = {});
 
   /// Distances of the surfaces under the contact grid, with texture and residual displacement, at zero approach [m].

@@ -140,6 +140,7 @@ void Stepper::fill(HeatedRecord& r) const
   r.heat_lower = heating->heat(0);
   r.heat_upper = heating->heat(1);
   r.heat_of_source = heating->heat_of_source();
+  r.heat_of_current = heating->heat_of_effects();
   r.heat_of_plastic_work = heating->heat_of_plastic_work();
   r.work_of_expansion = pair_->expansion_work();
 }

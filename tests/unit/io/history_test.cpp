@@ -18,11 +18,11 @@ TEST(History, HeaderIsTheSpecifiedOne)
   EXPECT_EQ(history_header(sample::columns(0)),
             "step,pass,X,theta,interference,height,contact_area,max_pressure,F_n,F_X,F_Y,"
             "F_Z,F_X_macro,F_Z_macro,F_friction,share_at_shear_limit,max_temperature_lower,max_temperature_upper,"
-            "heat_lower,heat_upper,heat_of_source,heat_of_plastic_work,work_of_expansion,"
+            "heat_lower,heat_upper,heat_of_source,heat_of_current,heat_of_plastic_work,work_of_expansion,"
             "worn_volume_lower,worn_volume_upper,max_worn_depth_lower,max_worn_depth_upper,max_wear_step,work_of_wear,"
             "contact_resistance,current,voltage,electric_power,max_current_density,current_spots,largest_spot_share,"
-            "contact_temperature,min_contact_resistance,max_contact_temperature,"
-            "work,dissipation_lower,"
+            "contact_temperature,film_resistance,min_contact_resistance,max_contact_temperature,"
+            "thermal_contact_conductance,work,dissipation_lower,"
             "dissipation_upper,dissipation_friction,energy_residual,energy_elastic,max_residual_lower,"
             "max_residual_upper,max_equivalent_plastic_strain,"
             "evaluations");
@@ -36,11 +36,11 @@ TEST(History, NumbersReadBackTheSame)
   std::vector<std::string> cells;
   for (std::string cell; std::getline(row, cell, ',');)
     cells.push_back(cell);
-  ASSERT_EQ(cells.size(), 49u);
+  ASSERT_EQ(cells.size(), 52u);
   EXPECT_EQ(cells.front(), "4");
   EXPECT_EQ(std::strtod(cells[2].c_str(), nullptr), record.X);
   EXPECT_EQ(std::strtod(cells[9].c_str(), nullptr), 1.0 / 3.0);
-  EXPECT_EQ(std::strtod(cells[39].c_str(), nullptr), record.work);
+  EXPECT_EQ(std::strtod(cells[42].c_str(), nullptr), record.work);
   EXPECT_EQ(cells.back(), "7");
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace brinell::simulation::current_test
@@ -27,7 +28,7 @@ Case conducting()
   Case c = test::template_case<Case>();
   c.lower.material.electrical = bronze;
   c.upper.material.electrical = copper;
-  c.current.voltage = 0.05;
+  c.current.voltage = {0.05};
   return c;
 }
 
@@ -83,13 +84,23 @@ TYPED_TEST(CurrentTest, FollowsTheContactAndLeavesItAlone)
 
 TYPED_TEST(CurrentTest, GoesOnFromACheckpointToTheLastDigit)
 {
-  const TypeParam c = conducting<TypeParam>();
+  TypeParam c = conducting<TypeParam>();
+  c.upper.material.electrical = bronze;
+  c.current = {.voltage = {0.01, 0.05, 0.02}, .steps = {1.0, 4.0, 30.0}, .film = {.resistance = 1e-13}};
+  if constexpr (!std::is_same_v<TypeParam, IndentationCase>)
+    c.current.film.growth = 1e-9;
   simulation::Run<TypeParam> whole(c);
   std::vector<Archive::Fields> checkpoints;
   while (!whole.is_done())
   {
-    whole.step();
+    const auto row = whole.step();
     checkpoints.push_back(whole.checkpoint());
+    const double step = row.step;
+    const double expected = step < 1.0    ? 0.01
+                            : step < 4.0  ? 0.01 + 0.04 * (step - 1.0) / 3.0
+                            : step < 30.0 ? 0.05 - 0.03 * (step - 4.0) / 26.0
+                                          : 0.02;
+    EXPECT_NEAR(row.voltage, expected, 1e-15) << step;
   }
   for (const std::size_t at : {checkpoints.size() / 3, checkpoints.size() / 2, checkpoints.size() - 1})
   {
@@ -97,6 +108,7 @@ TYPED_TEST(CurrentTest, GoesOnFromACheckpointToTheLastDigit)
     while (!later.is_done())
       later.step();
     EXPECT_EQ(later.snapshot().effect("current_density"), whole.snapshot().effect("current_density")) << at;
+    EXPECT_EQ(later.summary().last.film_resistance, whole.summary().last.film_resistance) << at;
     EXPECT_EQ(later.summary().min_contact_resistance, whole.summary().min_contact_resistance) << at;
     EXPECT_EQ(later.summary().max_contact_temperature, whole.summary().max_contact_temperature) << at;
   }
@@ -131,7 +143,7 @@ TEST(Current, CurrentAndVoltageFollowFromEachOther)
 {
   IndentationCase c = ball();
   const IndentationRecord by_voltage = rows_of(c).back();
-  c.current = {.current = by_voltage.current};
+  c.current = {.current = {by_voltage.current}};
   const IndentationRecord by_current = rows_of(c).back();
   EXPECT_NEAR(by_current.voltage, 0.05, 1e-9);
   EXPECT_NEAR(by_current.contact_temperature, by_voltage.contact_temperature, 1e-6);
@@ -180,20 +192,159 @@ TEST(Current, RefusesWhatCannotFlow)
     }
   };
   refused("insulates", [](auto& c) { c.lower.material.electrical.reset(); });
-  refused("each follows from the other", [](auto& c) { c.current.current = 1.0; });
-  refused("CurrentDrive::voltage` = -1", [](auto& c) { c.current.voltage = -1.0; });
+  refused("each follows from the other", [](auto& c) { c.current.current = {1.0}; });
+  refused("CurrentDrive::voltage` = -1", [](auto& c) { c.current.voltage = {-1.0}; });
   refused("lower.material.electrical.resistivity` = 0",
           [](auto& c) { c.lower.material.electrical->resistivity = 0.0; });
   refused("temperature_coefficient` = -0.1",
           [](auto& c) { c.lower.material.electrical->temperature_coefficient = -0.1; });
-  refused("through a film", [](auto& c) { c.current.film = 1e-12; });
-  refused("CurrentDrive::film", [](auto& c) { c.current.film = -1e-12; });
+  refused("through a film", [](auto& c) { c.current.film.resistance = 1e-12; });
+  refused("2 steps, but `CurrentDrive::voltage` = [0.1, 0.2, 0.3] V has 3 values",
+          [](auto& c) {
+            c.current = {.voltage = {0.1, 0.2, 0.3}, .steps = {0.0, 1.0}};
+          });
+  refused("element 2 is 1; allowed: steps >= 0 in ascending order",
+          [](auto& c) {
+            c.current = {.voltage = {0.1, 0.2}, .steps = {1.0, 1.0}};
+          });
+  refused("but there is no current", [](auto& c) { c.current = {.steps = {1.0}}; });
+  refused("CurrentDrive::voltage` = -0.1", [](auto& c) { c.current.voltage = {0.1, -0.1}; });
+  refused("FilmLaw::growth` = 1e-09", [](auto& c) { c.current.film.growth = 1e-9; }); // nothing slides
+  refused("FilmLaw::growth` = -1e-09", [](auto& c) { c.current.film.growth = -1e-9; });
+  refused("not less than the film", [](auto& c) { c.current.film = {.resistance = 2e-12, .limit = 1e-12}; });
+  refused("nothing wears", [](auto& c) { c.current.film = {.resistance = 2e-12, .wear = 1.0}; });
+  refused("FilmLaw::resistance", [](auto& c) { c.current.film.resistance = -1e-12; });
+}
+
+/// A ball that slides on a flat and is heated by friction and current.
+SlidingCase hot_sliding()
+{
+  SlidingCase c = conducting<SlidingCase>();
+  for (constitutive::Material* material : {&c.lower.material, &c.upper.material})
+  {
+    material->thermal = Thermal{.conductivity = 50.0, .density = 7850.0, .specific_heat = 460.0, .expansion = 12e-6};
+    material->electrical = bronze;
+    material->hardening.reset();
+  }
+  c.friction.coefficient = 0.1;
+  c.heat.of_plastic_work = 0.0;
+  c.speed = 0.1;
+  return c;
+}
+
+FrettingCase hot_fretting()
+{
+  FrettingCase c = conducting<FrettingCase>();
+  for (constitutive::Material* material : {&c.lower.material, &c.upper.material})
+  {
+    material->thermal = Thermal{.conductivity = 50.0, .density = 7850.0, .specific_heat = 460.0, .expansion = 12e-6};
+    material->electrical = bronze;
+    material->hardening.reset();
+  }
+  c.frequency = 100.0;
+  return c;
+}
+
+template <typename Case>
+void check_first_law(const Case& c, double duration)
+{
+  const auto rows = rows_of(c);
+  double electric = 0.0, before = 0.0;
+  for (const auto& row : rows)
+  {
+    electric += 0.5 * (before + row.electric_power) * duration;
+    before = row.electric_power;
+  }
+  const auto& end = rows.back();
+  ASSERT_GT(electric, 0.0);
+  EXPECT_NEAR(end.heat_of_current, electric, 0.005 * electric);
+  const double given = c.heat.fraction * end.dissipation_friction + electric;
+  EXPECT_NEAR(end.heat_lower + end.heat_upper, given, 0.005 * given);
+  Case cold = c;
+  cold.current = {.voltage = {0.0}, .film = c.current.film};
+  const auto without = rows_of(cold);
+  EXPECT_EQ(without.back().heat_of_current, 0.0);
+  EXPECT_LT(without.back().max_temperature_lower, end.max_temperature_lower);
+  // Zero current is the run without one, to the last digit.
+  cold.current = {};
+  cold.lower.material.electrical.reset();
+  const auto plain = rows_of(cold);
+  EXPECT_EQ(without.back().heat_lower, plain.back().heat_lower);
+  EXPECT_EQ(without.back().work, plain.back().work);
+  EXPECT_EQ(without.back().max_temperature_lower, plain.back().max_temperature_lower);
+}
+
+TEST(Current, IsHeatInSliding)
+{
+  SlidingCase c = hot_sliding();
+  for (const double fraction : {0.0, 1.0})
+  {
+    c.heat.fraction = fraction;
+    const SlidingPlan found = plan(c);
+    check_first_law(c, found.shift / *c.speed);
+  }
+}
+
+TEST(Current, IsHeatInFrettingWithAFilm)
+{
+  FrettingCase c = hot_fretting();
+  c.current = {.current = {0.0, 5.0}, .steps = {0.0, 6.0}, .film = {.resistance = 1e-11, .growth = 1e-5}};
+  check_first_law(c, 1.0 / (c.steps_per_cycle * *c.frequency));
+}
+
+TEST(Current, FilmGrowsWithTheSlipPath)
+{
+  // Where all of the contact slips, each cell gains the growth times the path of its points.
+  FrettingCase c = hot_fretting();
+  for (constitutive::Material* material : {&c.lower.material, &c.upper.material})
+    material->thermal.reset();
+  c.current = {.voltage = {0.05}, .film = {.growth = 1e-6, .limit = 1.0}};
+  const auto rows = rows_of(c);
+  const FrettingRecord& end = rows.back();
+  EXPECT_GT(end.film_resistance, 0.1 * 1e-6 * end.slip_path);
+  EXPECT_LT(end.film_resistance, 1e-6 * end.slip_path * (1.0 + 1e-12));
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (rows[i].cycle > 1)
+    {
+      EXPECT_GE(rows[i].contact_resistance, rows[i - 1].contact_resistance) << i;
+    }
+  c.current.film.limit = 0.5 * end.film_resistance;
+  EXPECT_LE(rows_of(c).back().film_resistance, *c.current.film.limit * (1.0 + 1e-12));
+  // Wear takes away what grew.
+  c.current.film = {.resistance = 1e-11, .wear = 1e-3};
+  c.wear = {.lower = 1e-12, .upper = 1e-12};
+  const auto worn = rows_of(c);
+  EXPECT_LT(worn.back().film_resistance, 1e-11);
+  EXPECT_GE(worn.back().film_resistance, 0.0);
+}
+
+TEST(Current, SoftensTheBodiesAroundTheSpots)
+{
+  IndentationCase c = ball();
+  c.lower.material.hardening = constitutive::LinearHardening{300e6, 2e9};
+  c.lower.material.softening = constitutive::LinearSoftening{.reference = 20.0, .melting_point = 1000.0};
+  c.sequence = {{contact::Drive::Kind::load, 20.0}};
+  c.current = {.voltage = {0.0}};
+  const auto cold = rows_of(c);
+  c.current = {.voltage = {0.2}};
+  const auto hot = rows_of(c);
+  c.current = {};
+  c.lower.material.electrical.reset();
+  const auto plain = rows_of(c);
+  ASSERT_EQ(cold.size(), hot.size());
+  for (std::size_t i = 0; i < cold.size(); ++i)
+  {
+    EXPECT_EQ(cold[i].max_equivalent_plastic_strain, plain[i].max_equivalent_plastic_strain) << i;
+    EXPECT_EQ(cold[i].work, plain[i].work) << i;
+  }
+  EXPECT_GT(hot.back().max_equivalent_plastic_strain, 1.2 * cold.back().max_equivalent_plastic_strain);
+  EXPECT_GT(hot.back().dissipation_lower, cold.back().dissipation_lower);
 }
 
 TEST(Current, IsWarnedOfWhereBodiesDoNotFeelIt)
 {
   IndentationCase c = conducting<IndentationCase>();
-  c.current.voltage = 0.3;
+  c.current.voltage = {0.3};
   simulation::Run<IndentationCase> run(c);
   while (!run.is_done())
     run.step();
