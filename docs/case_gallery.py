@@ -35,6 +35,8 @@ PICTURES: Mapping[str, Draw] = {
     "flash-temperature": _of_state(plot.surface_temperature_maps),
     "electrical-ball": plot.contact_resistance,
     "electrical-connector": _of_state(plot.current_density_map),
+    "electrical-fretting": plot.resistance_course,
+    "electrical-rolling": _of_state(plot.current_density_map),
     "fretting": plot.contact_maps,
     "fretting-heat": plot.contact_heat,
     "fretting-sphere": plot.force_loops,
