@@ -47,6 +47,7 @@ PICTURES: Mapping[str, Draw] = {
     "rolling": _RESIDUAL,
     "rolling-creepage": plot.creep_maps,
     "rolling-dent": _RESIDUAL,
+    "rolling-fatigue": lambda run: plot.fatigue_under_surface(run, run.fatigue()),
     "rolling-friction": plot.depth_profiles,
     "rolling-heat": _of_state(plot.section, field="temperature"),
     "rolling-passes": plot.pass_by_pass,

@@ -158,6 +158,18 @@ LAWS = (
     law("JohnsonCook", "johnson_cook", first=("melting_temperature", "exponent"), **SOFTENING),
 )
 
+FATIGUE = (
+    Kind(
+        "FatigueConstants",
+        "lower.material.fatigue",
+        "Criterion of fatigue and constants of the life of a material; they request the fatigue of the body.",
+        first=("criterion", "torsion_limit", "bending_limit"),
+        by_place=3,
+        required=("criterion",),
+        instead={"torsion_limit": "Quantity | None = None", "bending_limit": "Quantity | None = None"},
+    ),
+)
+
 SCENARIOS = (
     Scenario(
         "Tugging",
@@ -252,6 +264,7 @@ object. A quantity is a number in the unit that is given, or text with a unit.
     ),
     "_shapes.py": File("Shapes and textures of bodies.", SHAPES),
     "materials/laws.py": File("Laws of hardening and of thermal softening.", LAWS),
+    "materials/fatigue.py": File("Fatigue constants of a material.", FATIGUE),
     "scenarios/cases.py": File("The scenarios as classes: cases whose text is generated from arguments.", SCENARIOS),
     "scenarios/lists.py": File("Entries of the lists in a summary: indents, passes, cycles and strokes.", LISTS),
 }

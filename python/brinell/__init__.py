@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     from brinell.materials import (
         RIGID,
         Electrical,
+        FatigueConstants,
         Hollomon,
         JohnsonCook,
         Linear,
@@ -122,6 +123,7 @@ __all__ = [
     "Dent",
     "Electrical",
     "Ellipsoid",
+    "FatigueConstants",
     "Flat",
     "Forecast",
     "Fretting",
@@ -194,8 +196,8 @@ _MODULES = {
     "MissingExtraError",
     "fits": "fit",
     "forecast": "Forecast",
-    "materials": "RIGID Electrical Hollomon JohnsonCook Linear LinearSoftening Ludwik Material MeasuredCurve Perfect "
-    "SofteningTable Swift SwiftMicrostrain Table Thermal Voce",
+    "materials": "RIGID Electrical FatigueConstants Hollomon JohnsonCook Linear LinearSoftening Ludwik Material "
+    "MeasuredCurve Perfect SofteningTable Swift SwiftMicrostrain Table Thermal Voce",
     "results": "Accuracy Run RunError RunWarning",
     "scenarios": "Fretting Indentation Rolling Sliding Tugging",
     "settings": "Grid HeatSource Heating Interface Output Point Solver Wear",

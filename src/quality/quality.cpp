@@ -3,6 +3,7 @@
 
 #include "brinell/simulation/first_yield.hpp"
 #include "foundation/nan.hpp"
+#include "judgement_fatigue.hpp"
 #include "judgement_parts.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/heat.hpp"
@@ -326,7 +327,9 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   warn_of_heat(f, totals, judge.warnings());
   warn_of_effects(f, totals, judge.warnings());
   judge.of_scenario();
-  return std::move(judge).result();
+  Quality result = std::move(judge).result();
+  judge_fatigue(totals, result);
+  return result;
 }
 
 std::string resolution_text(const Resolution& r)

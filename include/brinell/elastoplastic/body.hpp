@@ -10,6 +10,7 @@
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -267,6 +268,21 @@ public:
   /// what the second one needs, so that it costs next to nothing.
   [[nodiscard]] std::vector<CellStress> stress_at(std::span<const std::size_t> cells,
                                                   const halfspace::SurfaceLoad& load);
+  /// The independent rows of one layer: component c of the deviator is at deviator[c * stride + cell], to which `initial` is
+  /// added for xx and yy, the trace is trace[cell] + initial_trace [Pa].
+  struct LayerStress
+  {
+    const double* deviator;
+    std::size_t stride;
+    const double* trace;
+    double initial, initial_trace;
+  };
+  using UseLayer = std::function<void(int layer, const LayerStress&)>;
+  /// From the next increment on, what `for_layers` needs is prepared, so that it costs little.
+  void keep_trace();
+  /// Passes on the stress of the committed state, layer by layer; the threads share the layers. It includes the thermal stress
+  /// only if the body can yield.
+  void for_layers(const halfspace::SurfaceLoad& load, const UseLayer& use);
   /// Locked-in elastic energy plus dissipation [J], of the present trial for the load of the last update, or of the last
   /// committed increment.
   [[nodiscard]] double energy(const halfspace::SurfaceLoad& load) const;

@@ -149,6 +149,16 @@ public:
   /// The states of some cells of a body, as in the fields up to rounding; asked for in each increment, they cost little.
   /// @throws InputError if the body is rigid
   [[nodiscard]] std::vector<CellState> cells(std::size_t side, const Place& place, std::span<const std::size_t> cells);
+  /// Numbers of a cell in a sample: deviator xx, yy, yz, xz, xy of the stress and a third of its trace [Pa], and then the plastic
+  /// strain in the same order.
+  static constexpr int numbers_of_stress = 6, numbers_of_strain = 5;
+  /// Prepares increments for `sample`, which then costs little in bodies that can yield.
+  void keep_trace(std::size_t side);
+  /// Copies columns of all layers and independent rows of a body, in the axes of its side.
+  /// @param numbers  of a cell
+  /// @param out      [layer][row][number][column]
+  /// @throws InputError if the body is rigid
+  void sample(std::size_t side, const Place& place, int first_column, int columns, int numbers, std::span<float> out);
   /// Temperature in all cells of a body [deg C]; empty without heat, or if the body is rigid.
   [[nodiscard]] std::vector<double> temperature(std::size_t side) const;
   /// Whether pressure acts on the outermost cells of the contact grid.

@@ -5,6 +5,7 @@
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -63,6 +64,9 @@ public:
   /// Stress [Pa] of a load alone in one layer: the five components of the deviator and then the trace, each [y][x].
   /// @param work  may be one of `make_guest` that has borrowed nothing
   void stress_of_load(const SurfaceLoad& load, int layer, Work& work, std::span<double> stress) const;
+  /// That stress in all layers, which the threads share: calls use(layer, stress) with the independent rows of each layer.
+  void stress_of_load(const SurfaceLoad& load, Work& work,
+                      const std::function<void(int layer, std::span<const double> stress)>& use) const;
 
 private:
   struct Operators; ///< transforms and kernels, and the functions that apply them
@@ -98,6 +102,10 @@ public:
   /// Trace of the stress [Pa] in one prepared layer, [y][x], for the load of the last call of `stress`.
   /// @throws InternalError if `load` was not asked for it
   void trace(const SurfaceLoad& load, int layer, std::span<double> out) const;
+  /// Whether `trace` can be called: the load was asked for it, and the buffers have not been used since.
+  [[nodiscard]] bool has_trace() const;
+  /// The trace in the independent rows of all layers that were prepared, [layer][y][x].
+  void traces(const SurfaceLoad& load, std::span<double> out) const;
 
 private:
   friend class HalfSpace;

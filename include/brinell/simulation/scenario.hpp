@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/constitutive/fatigue.hpp"
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/increment.hpp"
 #include "brinell/foundation/archive.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "brinell/simulation/fatigue.hpp"
 #include "brinell/simulation/plan_error.hpp"
 #include "brinell/simulation/shape.hpp"
 #include "brinell/simulation/texture.hpp"
@@ -29,6 +31,7 @@ struct ShapedBody
   Shape shape;
   constitutive::Material material;
   Texture texture{};
+  std::optional<constitutive::Fatigue> fatigue{}; ///< none: it is not computed
   bool operator==(const ShapedBody&) const = default;
 };
 
@@ -261,7 +264,8 @@ struct StepFields
     std::function<TensorField()> plastic_strain, stress;
     /// The state of some cells. If the same ones are asked for after each step, they cost little.
     std::function<std::vector<CellState>(std::span<const std::size_t> cells)> cells;
-    bool keeps_stress = true, keeps_von_mises = true; ///< parts of the stress that a result keeps
+    std::vector<std::function<std::vector<double>()>> fatigue{}; ///< the first ones of `fatigue_fields`; empty: none
+    bool keeps_stress = true, keeps_von_mises = true;            ///< parts of the stress that a result keeps
   };
 
   Snapshot surfaces;   ///< all fields but those within the bodies
@@ -284,10 +288,11 @@ struct RunTotals : RunningTotals
   double share_of_held_cells = 0.0;        ///< `Heating::share_of_held_cells`
   /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear
   double energy_balance_error = 0.0;
-  std::vector<GridChange> grid_changes; ///< during the run
-  bool is_mirrored_y = false;           ///< half of each body was solved
-  double memory_bytes = 0.0;            ///< estimate for the grids at the end
-  Snapshot final_state;                 ///< on the grids at the end
+  std::vector<GridChange> grid_changes;                 ///< during the run
+  std::array<std::optional<FatigueSummary>, 2> fatigue; ///< of the lower and of the upper body
+  bool is_mirrored_y = false;                           ///< half of each body was solved
+  double memory_bytes = 0.0;                            ///< estimate for the grids at the end
+  Snapshot final_state;                                 ///< on the grids at the end
 };
 
 /// Callbacks during a step. Empty functions are skipped.

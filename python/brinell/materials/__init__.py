@@ -12,6 +12,7 @@ yield stress in uniaxial tension.
 from brinell._tables import Hardening, Softening
 from brinell.materials.curves import MeasuredCurve
 from brinell.materials.electrical import Electrical
+from brinell.materials.fatigue import FatigueConstants
 from brinell.materials.hardening import Table
 from brinell.materials.laws import (
     Hollomon,
@@ -33,6 +34,7 @@ __all__ = [
     "PRESETS",
     "RIGID",
     "Electrical",
+    "FatigueConstants",
     "Hardening",
     "Hollomon",
     "JohnsonCook",

@@ -15,6 +15,7 @@ from brinell._values import plain
 from brinell.errors import InputError
 from brinell.materials.checking import case_of
 from brinell.materials.electrical import Electrical
+from brinell.materials.fatigue import FatigueConstants
 from brinell.materials.hardening import Table
 from brinell.materials.profiles import Profile, columns_of, terms_of
 from brinell.materials.sampling import Law
@@ -42,10 +43,11 @@ class Material:
         thermal: thermal constants; None: no heat is computed in the body.
         softening: law of thermal softening of the yield stress; None: no softening.
         electrical: electrical constants; None: the body insulates.
+        fatigue: criterion and constants of fatigue; None: no fatigue is computed in the body.
 
     Raises:
-        InputError: hardening, thermal, softening or electrical is of another type, or a profile can be read in two
-            ways. Other values are checked when the material is used.
+        InputError: hardening, thermal, softening, electrical or fatigue is of another type, or a profile can be read
+            in two ways. Other values are checked when the material is used.
     """
 
     young_modulus: Quantity
@@ -57,6 +59,7 @@ class Material:
     thermal: Thermal | None = None
     softening: Softening | None = None
     electrical: Electrical | None = None
+    fatigue: FatigueConstants | None = None
 
     def __post_init__(self) -> None:
         law = self.hardening
@@ -74,6 +77,8 @@ class Material:
             )
         if not (self.electrical is None or isinstance(self.electrical, Electrical)):
             raise InputError(f"electrical = {self.electrical!r}; allowed: brinell.Electrical(...), or None")
+        if not (self.fatigue is None or isinstance(self.fatigue, FatigueConstants)):
+            raise InputError(f"fatigue = {self.fatigue!r}; allowed: brinell.FatigueConstants('dang_van', ...), or None")
         object.__setattr__(self, "back_stresses", terms_of(self.back_stresses))
         for name, value in (("yield_profile", "factor"), ("initial_stress", "value")):
             if (profile := getattr(self, name)) is not None:
@@ -102,7 +107,7 @@ class Material:
         return table | self._tables_of_constants()
 
     def _tables_of_constants(self, keep: Callable[[str, Any], bool] = lambda key, value: True) -> dict[str, Any]:
-        given = {"thermal": self.thermal, "electrical": self.electrical}
+        given = {"thermal": self.thermal, "electrical": self.electrical, "fatigue": self.fatigue}
         return {
             name: {key: value for key, value in constants.to_case().items() if keep(key, value)}
             for name, constants in given.items()

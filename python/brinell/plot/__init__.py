@@ -33,6 +33,7 @@ from brinell.plot.current import (
 from brinell.plot.curves import measured_curve
 from brinell.plot.depth import stress_over_depth
 from brinell.plot.energy import energy_balance
+from brinell.plot.fatigue import fatigue_under_surface
 from brinell.plot.fields import gap_map, pressure_map, residual_surfaces
 from brinell.plot.fits import fit_corner, fit_curve, fit_depth_profile, fit_profiles
 from brinell.plot.fretting import (
@@ -97,6 +98,7 @@ __all__ = [
     "cycle_by_cycle",
     "depth_profiles",
     "energy_balance",
+    "fatigue_under_surface",
     "fig11",
     "fig12",
     "fig13",

@@ -12,7 +12,7 @@ import functools
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, Literal, get_args
 
 import click
 import matplotlib
@@ -23,6 +23,7 @@ from brinell.plot import animation as moving
 from brinell.plot import fields as state
 from brinell.plot import history as course
 from brinell.plot import style
+from brinell.plot.fatigue import fatigue_under_surface
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.points import point_histories
 from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
@@ -335,6 +336,20 @@ def _history(run: Path, output: Path | None, formats: list[str]) -> None:
     """Draw forces, energies, deformation and cost of one run, step by step."""
     opened = open_run(run, allow_unfinished=True)
     _print(style.save(course.run_history(opened), output or folder_of(run) / "figures", "history", formats))
+
+
+@plot.command("fatigue")
+@_run_folder
+@click.option("--body", type=click.Choice(["lower", "upper"]), default="lower", help="Body; default: lower.")
+@_into_run
+@_formats
+@_takes_si
+@reports_errors
+def _fatigue(run: Path, body: Literal["lower", "upper"], output: Path | None, formats: list[str]) -> None:
+    """Draw the fatigue of a body in the section through its worst point, and over the depth."""
+    opened = open_run(run)
+    figure = fatigue_under_surface(opened, opened.fatigue(body))
+    _print(style.save(figure, output or folder_of(run) / "figures", f"fatigue-{body}", formats))
 
 
 @plot.command("points")

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import current, depth, energy, fields, history, points, temperature, wear
+from brinell.plot import current, depth, energy, fatigue, fields, history, points, temperature, wear
 from brinell.plot.where import cutting_of, section_of, usual_place
 from brinell.results import Run, Snapshot
 from brinell.scenarios import SCENARIOS
@@ -47,6 +47,7 @@ def standard_figures(run: Run) -> Iterator[Named]:
     if run.complete:
         final = run.snapshot("final", tensors=True)
         yield from _of_final_state(run, final)
+        yield from _of_fatigue(run)
         if (worn := wear.worn_profiles(run)) is not None:
             caption = "Depth that both surfaces have lost, along and across."
             yield Named("worn-profiles", caption, _end_of(final), worn)
@@ -74,6 +75,18 @@ def standard_figures(run: Run) -> Iterator[Named]:
         yield Named("resistance-characteristic", caption, "course", resistance)
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
+
+
+def _of_fatigue(run: Run) -> Iterator[Named]:
+    """Fatigue of the bodies for which it was computed and stored."""
+    bodies: tuple[Literal["lower", "upper"], ...] = get_args(Literal["lower", "upper"])
+    for body in bodies:
+        if body not in (run.summary or {}).get("fatigue", {}):
+            continue
+        if not any(name.startswith("fatigue_") for name in run.field_names(body)):
+            continue
+        caption = f"Fatigue of the {body} body in the section through its worst point, and over the depth."
+        yield Named(f"fatigue-{body}", caption, "result", fatigue.fatigue_under_surface(run, run.fatigue(body)))
 
 
 def _moves(run: Run) -> bool:

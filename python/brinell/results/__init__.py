@@ -23,6 +23,7 @@ heat, wear or a current acts), `fields` and `labelled` (a field over all states)
 from brinell.results.accuracy import Accuracy, RunWarning
 from brinell.results.columns import HISTORY_COLUMNS
 from brinell.results.errors import FORMAT_VERSION, RunError
+from brinell.results.fatigue import Fatigue, FatiguePlace
 from brinell.results.history import History
 from brinell.results.labelled import Labelled
 from brinell.results.opening import open_run
@@ -43,6 +44,8 @@ __all__ = [
     "BodyFields",
     "ContactFields",
     "CriticalValues",
+    "Fatigue",
+    "FatiguePlace",
     "FieldsOfBody",
     "FieldsOfContact",
     "FrettingCycle",

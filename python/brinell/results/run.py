@@ -14,6 +14,7 @@ from brinell.contact import Patches
 from brinell.results.accuracy import Accuracy, RunWarning, accuracy_of, warnings_of
 from brinell.results.blocks import blocks_of
 from brinell.results.errors import RunError
+from brinell.results.fatigue import Fatigue, fatigue_of
 from brinell.results.fields import field_names, labelled_field
 from brinell.results.labelled import Labelled
 from brinell.results.patches import patches_of
@@ -112,6 +113,14 @@ class Run(OfScenarios):
     def points(self) -> list[PointHistory]:
         """Histories of the points that `output.points` of the case names, in their order; one value for each step."""
         return point_histories(self.path, self.file)
+
+    def fatigue(self, body: Literal["lower", "upper"] = "lower") -> Fatigue:
+        """Fatigue of a body whose material has `fatigue.criterion`: worst points, shakedown, life, fields and profiles.
+
+        Raises:
+            RunError: the run has not finished, or the fatigue of this body was not computed.
+        """
+        return fatigue_of(self.summary, body, self.field, str(self.path))
 
     @property
     def steps(self) -> list[int]:

@@ -310,4 +310,14 @@ std::vector<Body::CellStress> Body::stress_at(std::span<const std::size_t> cells
   return parts_.evaluation->stress_at(cells, load, parts_.state);
 }
 
+void Body::keep_trace()
+{
+  parts_.evaluation->keep_trace();
+}
+
+void Body::for_layers(const halfspace::SurfaceLoad& load, const UseLayer& use)
+{
+  parts_.evaluation->for_layers(load, parts_.state, use);
+}
+
 } // namespace brinell::elastoplastic

@@ -177,7 +177,7 @@ Displacements Evaluation::wanted() const
 /// Transforms the strain of the trial in all columns, and computes the displacement.
 void Evaluation::load_strain()
 {
-  const bool with_trace = !watched_.empty() && is_whole();
+  const bool with_trace = (keeps_trace_ || !watched_.empty()) && is_whole();
   loaded_.emplace(half_space_->load(strain_, layers_, work_, wanted(), with_trace));
   find_displacements(wanted());
 }

@@ -69,6 +69,9 @@ public:
                    std::span<double> trace, int layers);
   [[nodiscard]] std::vector<Body::CellStress> stress_at(std::span<const std::size_t> cells,
                                                         const halfspace::SurfaceLoad& load, const BodyState& state);
+  /// Body::keep_trace, Body::for_layers
+  void keep_trace() { keeps_trace_ = true; }
+  void for_layers(const halfspace::SurfaceLoad& load, const BodyState& state, const Body::UseLayer& use);
 
 private:
   void choose_window(const BodyState& state, const ActiveCells& active);
@@ -102,6 +105,7 @@ private:
   StoredLoad committed_load_;      ///< of the state; with a window
 
   WatchedCells watched_; ///< by `stress_at`
+  bool keeps_trace_ = false; ///< evaluations of all cells prepare the trace in all of them
 };
 
 } // namespace brinell::elastoplastic

@@ -33,6 +33,43 @@ std::vector<Body::CellStress> Evaluation::stress_at(std::span<const std::size_t>
   return result;
 }
 
+void Evaluation::for_layers(const halfspace::SurfaceLoad& load, const BodyState& state, const Body::UseLayer& use)
+{
+  const std::size_t plane = grid_.surface.size(), n = grid_.size();
+  if (!is_plastic_)
+  {
+    if (work_.empty())
+      work_ = half_space_->make_guest();
+    return half_space_->stress_of_load(
+        load, work_,
+        [&](int layer, std::span<const double> stress)
+        {
+          const double initial = initial_stress_.at(static_cast<std::size_t>(layer));
+          use(layer, {stress.data(), plane, stress.data() + Deviator::size * plane, initial / 3.0, 2.0 * initial});
+        });
+  }
+  std::vector<double> deviator, trace(n);
+  const double* of_state = state.stress.data();
+  const bool is_known = loaded_ && loaded_->has_trace();
+  if (is_known)
+    loaded_->traces(load, trace);
+  else
+  {
+    deviator.resize(Deviator::size * n);
+    full_stress(load, state.plastic_strain, deviator, trace, grid_.nz);
+    for (std::size_t i = 0; i < state.thermal_stress.size(); ++i)
+      deviator[i] += state.thermal_stress[i];
+    of_state = deviator.data();
+  }
+#pragma omp parallel for schedule(static)
+  for (int layer = 0; layer < grid_.nz; ++layer)
+  {
+    const std::size_t first = static_cast<std::size_t>(layer) * plane;
+    const double initial = is_known ? 2.0 * initial_stress_.at(static_cast<std::size_t>(layer)) : 0.0;
+    use(layer, {of_state + first, n, trace.data() + first, 0.0, initial});
+  }
+}
+
 /// Stress of the load and the initial stress, layer by layer.
 std::vector<Body::CellStress> Evaluation::elastic_stress_at(std::span<const std::size_t> cells,
                                                             const halfspace::SurfaceLoad& load)

@@ -146,6 +146,76 @@ std::vector<CoupledContact::CellState> CoupledContact::cells(std::size_t side, c
   return result;
 }
 
+void CoupledContact::keep_trace(std::size_t side)
+{
+  parts_->solved(side).keep_trace();
+}
+
+void CoupledContact::sample(std::size_t side, const Place& place, int first_column, int columns, int numbers,
+                            std::span<float> out)
+{
+  ContactParts& c = *parts_;
+  const BodyView view = c.view(side);
+  const VolumeGrid& grid = view.grid();
+  const int rows = grid.surface.independent_rows(), last = grid.surface.nx - 1;
+  const TurnedLoad load = load_on_solved(c, side, place);
+  Stress heat;
+  if (c.heating)
+  {
+    heat = {std::vector<double>(Deviator::size * grid.size()), std::vector<double>(grid.size())};
+    c.heating->layers(side, grid, {.temperature = {}, .deviator = heat.deviator, .trace = heat.trace});
+  }
+  Body& solved = c.solved(side);
+  const bool is_plastic = solved.material().is_plastic(), turns = view.is_mirrored();
+  const double* strain = numbers > numbers_of_stress && is_plastic ? solved.state().plastic_strain.data() : nullptr;
+  const auto take = [&](int layer, const Body::LayerStress& s)
+  {
+    for (int j = 0; j < rows; ++j)
+      for (int n = 0; n < numbers; ++n)
+      {
+        const int component = n < Deviator::size ? n : n - numbers_of_stress;
+        const bool is_trace = n == Deviator::size;
+        const std::size_t row = grid.surface.index(0, j), cell = row + grid.index(0, 0, layer);
+        const double* from = nullptr;
+        double added = 0.0, factor = 1.0;
+        if (is_trace)
+          from = s.trace + row, added = s.initial_trace, factor = 1.0 / 3.0;
+        else if (n > Deviator::size)
+          from = strain == nullptr ? nullptr : strain + static_cast<std::size_t>(component) * grid.size() + cell;
+        else
+        {
+          from = s.deviator + static_cast<std::size_t>(n) * s.stride + row;
+          added = n == Deviator::xx || n == Deviator::yy ? s.initial : 0.0;
+        }
+        const double* of_heat = nullptr; // the deviator of a body that can yield includes that of heat
+        if (c.heating && is_trace)
+          of_heat = heat.trace.data() + cell;
+        else if (c.heating && n < Deviator::size && !is_plastic)
+          of_heat = heat.deviator.data() + static_cast<std::size_t>(n) * grid.size() + cell;
+        if (turns && !is_trace && (component == Deviator::xz || component == Deviator::xy))
+          factor = -factor;
+        float* to = out.data() +
+                    ((static_cast<std::size_t>(layer) * static_cast<std::size_t>(rows) + static_cast<std::size_t>(j)) *
+                         static_cast<std::size_t>(numbers) +
+                     static_cast<std::size_t>(n)) *
+                        static_cast<std::size_t>(columns);
+        if (from == nullptr)
+          std::fill_n(to, columns, 0.0F);
+        else if (!turns && of_heat == nullptr)
+#pragma omp simd
+          for (int i = 0; i < columns; ++i)
+            to[i] = static_cast<float>(factor * (from[first_column + i] + added));
+        else
+          for (int i = 0; i < columns; ++i)
+          {
+            const int column = turns ? last - first_column - i : first_column + i;
+            to[i] = static_cast<float>(factor * (from[column] + added + (of_heat == nullptr ? 0.0 : of_heat[column])));
+          }
+      }
+  };
+  solved.for_layers(load.all(), take);
+}
+
 bool CoupledContact::reaches_edge() const
 {
   const auto [ends, sides] = presses_near_edges(*parts_, 1);

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "foundation/fft.hpp"
+#include "foundation/sharing.hpp"
 #include "half_space_operators.hpp"
 #include "halfspace/transform/require_surface.hpp"
 
@@ -148,6 +149,60 @@ void HalfSpace::Loaded::trace(const SurfaceLoad& load, int layer, std::span<doub
   op.invert_plane(TractionStress::trace, layer, op.kernels_of(parts_of(load)), op.trace_fft, buffers_->trace.data(),
                   layer, *buffers_, buffers_->threads.front(), out.data());
   op.finish(ImageCorrection::trace, layer, plastic_strain_, *buffers_, out.data());
+}
+
+bool HalfSpace::Loaded::has_trace() const
+{
+  return number_ == buffers_->number && buffers_->has_trace;
+}
+
+void HalfSpace::Loaded::traces(const SurfaceLoad& load, std::span<double> out) const
+{
+  const Operators& op = *operators_;
+  require_load("HalfSpace::Loaded::traces", load, op.grid.surface.size());
+  require_size("HalfSpace::Loaded::traces: the trace", out, op.grid.size());
+  if (!has_trace())
+    throw InternalError("HalfSpace::Loaded::traces: the trace is not known");
+  const auto kernels = op.kernels_of(parts_of(load));
+  const auto threads = static_cast<int>(buffers_->threads.size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (int layer = 0; layer < buffers_->layers; ++layer)
+  {
+    double* field = out.data() + op.field_at(0, layer);
+    op.invert_plane(TractionStress::trace, layer, kernels, op.trace_fft, buffers_->trace.data(), layer, *buffers_,
+                    buffers_->threads[static_cast<std::size_t>(omp_get_thread_num())], field);
+    op.finish(ImageCorrection::trace, layer, plastic_strain_, *buffers_, field);
+  }
+}
+
+void HalfSpace::stress_of_load(const SurfaceLoad& load, Work& work,
+                               const std::function<void(int layer, std::span<const double> stress)>& use) const
+{
+  const Operators& op = *operators_;
+  const std::size_t cells = op.grid.surface.size();
+  require_load("HalfSpace::stress_of_load", load, cells);
+  if (work.empty())
+    throw InternalError("HalfSpace::stress_of_load: the work is empty; make_guest makes one");
+  Work::Buffers& buffers = *work.buffers_;
+  ++buffers.number;
+  op.load_surface(load, buffers);
+  const AlignedVector<ComplexLanes> nothing(op.surface_fft.block_size() *
+                                            static_cast<std::size_t>(op.surface_fft.blocks()));
+  const auto kernels = op.kernels_of(parts_of(load));
+  in_threads(static_cast<int>(buffers.threads.size()),
+             [&](int thread)
+             {
+               std::vector<double> stress((Deviator::size + 1) * cells);
+#pragma omp for schedule(static)
+               for (int layer = 0; layer < op.grid.nz; ++layer)
+               {
+                 for (int component = 0; component <= TractionStress::trace; ++component)
+                   op.invert_plane(component, layer, kernels, op.surface_fft, nothing.data(), 0, buffers,
+                                   buffers.threads[static_cast<std::size_t>(thread)],
+                                   stress.data() + static_cast<std::size_t>(component) * cells);
+                 use(layer, stress);
+               }
+             });
 }
 
 void HalfSpace::stress_of_load(const SurfaceLoad& load, int layer, Work& work, std::span<double> stress) const

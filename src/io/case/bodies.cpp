@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "case_reader.hpp"
+#include "fatigue.hpp"
 #include "measured_files.hpp"
 
 #include <algorithm>
@@ -209,7 +210,7 @@ simulation::ShapedBody read_body(const CaseReader& reader, const std::string& bo
 {
   const std::string shape = body + ".shape.";
   return {made(reader, shape, chosen(reader, shape + "type", shape_options())), material(reader, body + ".material."),
-          read_texture(reader, body + ".texture", domain)};
+          read_texture(reader, body + ".texture", domain), read_fatigue(reader, body + ".material.fatigue.")};
 }
 
 } // namespace brinell::io

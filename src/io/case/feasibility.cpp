@@ -137,7 +137,8 @@ ScenarioPlan plan_case(const Case& c, double available_memory)
   return std::visit(
       [&](const auto& scenario) -> ScenarioPlan
       {
-        const auto plan = planned(scenario, c.grid_source);
+        auto plan = planned(scenario, c.grid_source);
+        plan.memory_bytes += simulation::memory_of_fatigue(plan, scenario.lower, scenario.upper);
         if (plan.memory_bytes > available_memory)
           throw InputError(fmt::format("{} needs {} of memory, this machine has {}; {}", c.grid_source,
                                        size_text(plan.memory_bytes), size_text(available_memory), advice));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/measured_curve.hpp"
+#include "fatigue.hpp"
 #include "schema_parts.hpp"
 
 namespace brinell::io
@@ -334,7 +335,8 @@ std::vector<Entry> material_entries(const std::string& material)
   return joined({elastic_entries(material), hardening_entries(material + "hardening.", yields),
                  curve_entries(material + "hardening."), conversion_entries(material + "hardening."),
                  back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
-                 thermal_entries(material), electrical_entries(material), softening_entries(material, yields)});
+                 thermal_entries(material), electrical_entries(material), softening_entries(material, yields),
+                 fatigue_entries(material)});
 }
 
 } // namespace brinell::io

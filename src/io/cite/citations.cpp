@@ -6,7 +6,9 @@
 #include "sources.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <optional>
 
 namespace brinell::io
 {
@@ -65,6 +67,16 @@ void cite_hardening(Sources& sources, const std::string& body, const constitutiv
     sources.add("johnson1983", "yield stress by temperature");
 }
 
+void cite_fatigue(Sources& sources, const std::optional<constitutive::Fatigue>& fatigue)
+{
+  if (!fatigue)
+    return;
+  constexpr std::array criteria{"", "dangvan1989", "crossland1956", "findley1959", "fatemi1988"};
+  if (const char* source = criteria[static_cast<std::size_t>(fatigue->criterion)]; *source != '\0')
+    sources.add(source, "criterion of fatigue");
+  sources.add("lundberg1947", "relative life by the stress-volume");
+}
+
 void cite_solver(Sources& sources, const elastoplastic::Settings& solver)
 {
   sources.add("jacq2002", "elastic-plastic contact by half-space solutions; residual displacement by reciprocity");
@@ -108,6 +120,8 @@ std::vector<Citation> citations(const Case& c)
         }
         cite_hardening(sources, "lower", scenario.lower.material);
         cite_hardening(sources, "upper", scenario.upper.material);
+        cite_fatigue(sources, scenario.lower.fatigue);
+        cite_fatigue(sources, scenario.upper.fatigue);
         if (yields)
           cite_solver(sources, scenario.solver);
       },

@@ -128,6 +128,18 @@ void write_within(const h5::Handle& group, const StepFields::Within& within, std
     write("von_mises_stress", von_mises_field(stress), "Pa", "von Mises stress", plain);
 }
 
+/// Writes the fields of fatigue, which a twin has of its own.
+void write_fatigue(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
+                   const Form& form)
+{
+  for (std::size_t n = 0; n < within.fatigue.size(); ++n)
+  {
+    const simulation::FatigueField& field = simulation::fatigue_fields[n];
+    h5::write_dataset(group, field.name.data(), within.fatigue[n](), volume, field.unit, field.text,
+                      form.storage(h5::Storage::deflated), form.precision);
+  }
+}
+
 /// Copies the fields within a body from the group of a body with the same fields, so that they are neither computed nor
 /// compressed again.
 void copy_within(const h5::Handle& alike, const h5::Handle& group)
@@ -157,6 +169,7 @@ h5::Handle write_body(const h5::Handle& parent, const char* name, const simulati
     copy_within(*alike, group);
   else
     write_within(group, within, volume, form);
+  write_fatigue(group, within, volume, form);
   return group;
 }
 

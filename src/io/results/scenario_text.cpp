@@ -2,6 +2,7 @@
 #include "brinell/io/scenario_text.hpp"
 #include "brinell/quality/quality.hpp"
 
+#include "fatigue_parts.hpp"
 #include "io/scenarios/scenario_io.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ std::string results_text(const Case& c, const simulation::AnySummary& summary)
       [&]<typename ScenarioCase>(const ScenarioCase& scenario)
       {
         const auto& s = summary_of<ScenarioCase>(summary);
-        return io_of(scenario).results(c, s) + friction_text(s) + effects_text(scenario, s);
+        return io_of(scenario).results(c, s) + friction_text(s) + effects_text(scenario, s) + fatigue_text(s);
       },
       c.scenario);
 }

@@ -36,7 +36,8 @@ std::string_view word_of(std::string_view name)
   return word;
 }
 
-constexpr std::array within{"stress", "von_mises_stress", "plastic_strain", "equivalent_plastic_strain", "temperature"};
+constexpr std::array within{"stress",      "von_mises_stress", "plastic_strain", "equivalent_plastic_strain",
+                            "temperature", "fatigue"};
 
 bool is_within(std::string_view field)
 {
@@ -134,6 +135,8 @@ void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cell
   for (auto* field : {&within.equivalent_plastic_strain, &within.temperature})
     if (*field)
       *field = [=, whole = *field] { return cut_field(whole(), taken.z); };
+  for (auto& field : within.fatigue)
+    field = [=, whole = field] { return cut_field(whole(), taken.z); };
   for (auto* tensor : {&within.plastic_strain, &within.stress})
     if (*tensor)
       *tensor = [=, whole = *tensor]
@@ -179,6 +182,7 @@ void choose(BodySnapshot& body, StepFields::Within& within, const std::vector<st
   drop("equivalent_plastic_strain", within.equivalent_plastic_strain);
   drop("temperature", within.temperature);
   drop("plastic_strain", within.plastic_strain);
+  drop("fatigue", within.fatigue);
   within.keeps_stress = keeps("stress");
   within.keeps_von_mises = keeps("von_mises_stress");
   if (!within.keeps_stress && !within.keeps_von_mises)

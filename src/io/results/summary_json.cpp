@@ -3,6 +3,7 @@
 
 #include "brinell/io/versions.hpp"
 #include "brinell/quality/quality.hpp"
+#include "fatigue_parts.hpp"
 #include "foundation/nan.hpp"
 #include "io/case/value_text.hpp"
 #include "io/scenarios/scenario_io.hpp"
@@ -296,6 +297,7 @@ Json summary_json(const Case& c, const simulation::AnyPlan& plan, const simulati
         const auto& p = std::get<typename ScenarioCase::Plan>(plan);
         io_of(scenario).summarise(json, c, scenario, p, s);
         put_totals(json, scenario, p, s);
+        put_fatigue(json, c, s);
         put_last(json, c, s, info);
         return json;
       },

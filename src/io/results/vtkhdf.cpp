@@ -205,6 +205,9 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
   add("von_mises_stress", Block::Kind::of_volume, &BodyLayout::has_von_mises, unknown);
   add("stress", Block::Kind::tensor, &BodyLayout::has_stress, unknown);
   add("temperature", Block::Kind::of_volume, &BodyLayout::has_temperature, unknown);
+  for (int n = 0; n < body.fatigue; ++n)
+    block.add_field(simulation::fatigue_fields[static_cast<std::size_t>(n)].name.data(), Block::Kind::of_volume, which,
+                    unknown, [n](const BodyLayout& layout) { return n < layout.fatigue; });
 }
 
 /// The cells of the contact that lie on the lower body's grid, as parts of the grid of `all`; none if the grids do not overlap.
@@ -279,7 +282,8 @@ BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::Ste
           .has_plastic_strain = static_cast<bool>(within.plastic_strain),
           .has_stress = within.stress && within.keeps_stress,
           .has_von_mises = within.stress && within.keeps_von_mises,
-          .has_temperature = static_cast<bool>(within.temperature)};
+          .has_temperature = static_cast<bool>(within.temperature),
+          .fatigue = static_cast<int>(within.fatigue.size())};
 }
 
 } // namespace
@@ -301,6 +305,7 @@ void BodyLayout::exchange(Archive& archive)
   archive("has_stress", has_stress);
   archive("has_von_mises", has_von_mises);
   archive("has_temperature", has_temperature);
+  archive("fatigue", fatigue, 0, static_cast<int>(simulation::fatigue_fields.size()));
 }
 
 void ContactLayout::exchange(Archive& archive)
@@ -360,7 +365,7 @@ void write_vtkhdf(const h5::Handle& file, const std::vector<StoredState>& states
   const auto has_volume = [](const BodyLayout& body)
   {
     return body.has_equivalent || body.has_plastic_strain || body.has_stress || body.has_von_mises ||
-           body.has_temperature;
+           body.has_temperature || body.fatigue > 0;
   };
   if (has_volume(lower))
     write_volume(block("lower_volume", "lower"), &StateLayout::lower, lower, -1.0);

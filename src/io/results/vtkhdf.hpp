@@ -23,6 +23,7 @@ struct BodyLayout
   FieldsThere<simulation::BodySnapshot> surface;
   bool has_equivalent = false, has_plastic_strain = false, has_stress = false, has_von_mises = false,
        has_temperature = false;
+  int fatigue = 0; ///< number of `simulation::fatigue_fields` that exist, from the first one
 
   void exchange(Archive& archive);
 };

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/simulation/run.hpp"
 #include "simulation/plan/heat.hpp"
+#include "simulation/stepping/fatigue_recorder.hpp"
 #include "simulation/stepping/records.hpp"
 #include "simulation/stepping/stepper.hpp"
 
@@ -78,7 +79,7 @@ public:
   /// @param known  the plan of the case; nullptr: it is made
   State(Case scenario, Watch watch, const Archive::Fields* checkpoint, const typename Case::Plan* known)
       : case_(std::move(scenario)), plan_(known != nullptr ? *known : plan(case_)), motion_(case_, plan_),
-        stepper_(plan_, setup(std::move(watch)))
+        stepper_(plan_, setup(std::move(watch))), fatigue_(case_.lower, case_.upper)
   {
     if (checkpoint != nullptr)
       restore(*checkpoint);
@@ -88,7 +89,13 @@ public:
 
   [[nodiscard]] bool is_done() const { return motion_.is_done(); }
   [[nodiscard]] int step_count() const { return motion_.step_count(); }
-  [[nodiscard]] StepFields fields() const { return stepper_.fields(motion_.centre()); }
+  [[nodiscard]] StepFields fields() const
+  {
+    StepFields result = stepper_.fields(motion_.centre());
+    if (is_done()) // judging all cells takes a while
+      fatigue_.attach(result);
+    return result;
+  }
 
   const Record& step()
   {
@@ -104,6 +111,8 @@ public:
     record.work = last_.work;
     record.dissipation_friction = last_.dissipation_friction;
     motion_.read(stepper_, last_, record);
+    if (fatigue_.is_wanted())
+      fatigue_.add(record.pass, stepper_.present(motion_.centre()));
     evaluations_ += record.evaluations;
     largest_work_ = std::max(largest_work_, std::abs(record.work));
     if constexpr (std::derived_from<Record, FrictionRecord>)
@@ -137,6 +146,7 @@ public:
     const StepFields end = fields();
     s.final_state = end.surfaces;
     motion_.summarise(s, end);
+    s.fatigue = fatigue_.summaries();
     return s;
   }
 
@@ -145,6 +155,7 @@ public:
     require_sound();
     archive("stepper", stepper_);
     archive("motion", motion_);
+    archive("fatigue", fatigue_);
     archive("last", last_);
     archive("largest_work", largest_work_);
     archive("largest_limited_share", largest_limited_share_, 0.0, 1.0);
@@ -164,6 +175,7 @@ private:
   {
     Stepper::Setup result = motion_.setup();
     result.watch = std::move(watch);
+    result.follows_stress = {follows_fatigue(case_.lower), follows_fatigue(case_.upper)};
     return result;
   }
   void restore(const Archive::Fields& checkpoint)
@@ -179,6 +191,7 @@ private:
   typename Case::Plan plan_;
   M motion_;
   Stepper stepper_;
+  FatigueRecorder fatigue_;
   Record last_;
   double largest_work_ = 0.0; ///< [J]
   double largest_limited_share_ = 0.0;

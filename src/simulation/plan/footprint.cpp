@@ -352,7 +352,8 @@ bool are_smooth(const ShapedBody& lower, const ShapedBody& upper)
 
 bool needs_surfaces_only(const PairCase& c)
 {
-  return !c.fields_within && !c.lower.material.is_plastic() && !c.upper.material.is_plastic();
+  return !c.fields_within && !c.lower.material.is_plastic() && !c.upper.material.is_plastic() && !c.lower.fatigue &&
+         !c.upper.fatigue;
 }
 
 void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)

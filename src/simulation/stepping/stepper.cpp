@@ -130,12 +130,16 @@ Stepper::Stepper(const Plan& plan, Setup setup)
 
 std::unique_ptr<CoupledContact> Stepper::make_pair() const
 {
-  return std::make_unique<CoupledContact>(
+  auto pair = std::make_unique<CoupledContact>(
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
       elastoplastic::Textures{
           textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin(), setup_.beside.lower),
           textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin(), setup_.beside.upper)},
       plan_.reference, setup_.sliding);
+  for (std::size_t side = 0; side < 2; ++side)
+    if (setup_.follows_stress[side])
+      pair->keep_trace(side);
+  return pair;
 }
 
 void Stepper::exchange(Archive& archive)

@@ -3,6 +3,7 @@
 
 #include "brinell/simulation/scenario.hpp"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -83,6 +84,7 @@ public:
     Texture lower_texture{}, upper_texture{};
     Watch watch{};
     elastoplastic::Sliding sliding{};
+    std::array<bool, 2> follows_stress{}; ///< whether the stress in all cells of a body is read after each step
     Centre beside{}; ///< y of the contact's centre on each body, which is constant; used to read textures
   };
   Stepper(const Plan& plan, Setup setup);
@@ -136,6 +138,15 @@ public:
   [[nodiscard]] int split_increments() const { return split_increments_; }
   /// Fields of the present state; must not be used after the next step.
   [[nodiscard]] StepFields fields(const Centre& centre) const;
+  /// What those read that follow all cells from step to step; must not be used after the next step.
+  struct Present
+  {
+    elastoplastic::CoupledContact& pair;
+    elastoplastic::Placement placement;
+    std::array<double, 2> origins; ///< surface coordinate of column 0 of the grid of each body [m]
+    std::array<double, 2> centres; ///< of the contact on each body [m]
+  };
+  [[nodiscard]] Present present(const Centre& centre);
   /// Fills the part of a summary that concerns the solution.
   void fill(RunTotals& totals) const;
 

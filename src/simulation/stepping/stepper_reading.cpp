@@ -184,6 +184,14 @@ StepFields Stepper::fields(const Centre& centre) const
   return fields;
 }
 
+Stepper::Present Stepper::present(const Centre& centre)
+{
+  return {*pair_,
+          lattice_.frame(centre).placement,
+          {lattice_.lower_origin(), lattice_.upper_origin()},
+          {centre.lower, centre.upper}};
+}
+
 void Stepper::fill(RunTotals& totals) const
 {
   totals.split_increments = split_increments_;

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fatigue against closed forms, and how it is stored and resumed.
+#include "scenario_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace brinell::verification::fatigue_test
+{
+namespace
+{
+
+using constitutive::Fatigue;
+using simulation::FatigueSummary;
+using simulation::RollingCase;
+using simulation::Shakedown;
+
+constexpr double p0 = 1e9, radius = 10e-3;
+const constitutive::Material steel{{210e9, 0.3}, {}};
+const constitutive::Material rigid{{std::numeric_limits<double>::infinity(), 0.0}, {}};
+
+/// A rigid roller on a flat, in plane strain.
+RollingCase rolling_line(const constitutive::Material& material, double hertz_pressure, double half_widths,
+                         double resolution)
+{
+  RollingCase c;
+  c.lower = {simulation::Plane{}, material};
+  c.lower.fatigue = Fatigue{};
+  c.upper = {simulation::Roller{radius, 1.0}, rigid};
+  c.domain.y = {Boundary::periodic, 1.0, 1};
+  const double modulus = contact_modulus(material.elastic, rigid.elastic);
+  const double half_width = 2.0 * hertz_pressure * radius / modulus; // Johnson (1985), Eq. 4.43 and 4.45
+  c.drive = load(0.5 * std::numbers::pi * hertz_pressure * half_width);
+  c.distance = half_widths * half_width;
+  c.load_steps = 2;
+  c.resolution = resolution;
+  return c;
+}
+
+/// Value and depth of the vertex of the parabola through the largest value of a field in a column and its neighbours.
+struct Vertex
+{
+  double value, depth;
+};
+
+Vertex largest_in_depth(const std::vector<double>& values, double dz)
+{
+  const auto k = std::max_element(values.begin(), values.end()) - values.begin();
+  const double left = values.at(k - 1), here = values.at(k), right = values.at(k + 1);
+  const double shift = 0.5 * (left - right) / (left - 2.0 * here + right);
+  return {here - 0.25 * (left - right) * shift, (static_cast<double>(k) + 0.5 + shift) * dz};
+}
+
+/// The orthogonal shear under the middle of the track, at the end of the run.
+template <typename Case>
+Vertex orthogonal_shear(const Case& scenario)
+{
+  simulation::Run<Case> run(scenario);
+  simulation::finish(run);
+  const simulation::StepFields fields = run.fields();
+  const VolumeGrid& grid = fields.surfaces.lower.grid;
+  const std::vector<double> field = fields.lower.fatigue.at(0)();
+  std::vector<double> profile;
+  for (int k = 0; k < grid.nz; ++k)
+    profile.push_back(field[grid.index(grid.surface.nx / 2, grid.surface.ny / 2, k)]);
+  return largest_in_depth(profile, grid.dz);
+}
+
+// Johnson (1985), section 4.2: tau_xz reaches 0.25 p0 at a depth of 0.5 b under x = +-0.87 b.
+TEST(FatigueTest, OrthogonalShearOfALineContactConverges)
+{
+  const double half_width = 2.0 * p0 * radius / contact_modulus(steel.elastic, rigid.elastic);
+  std::vector<double> errors;
+  for (const double resolution : {4.0, 8.0, 16.0})
+  {
+    const Vertex found = orthogonal_shear(rolling_line(steel, p0, 8.0, resolution));
+    errors.push_back(std::abs(found.value / (0.25 * p0) - 1.0));
+    if (resolution == 16.0)
+    {
+      EXPECT_NEAR(found.value, 0.25 * p0, 0.005 * 0.25 * p0);
+      EXPECT_NEAR(found.depth, 0.5 * half_width, 0.02 * 0.5 * half_width);
+    }
+    RecordProperty("error_of_" + std::to_string(static_cast<int>(resolution)), std::to_string(errors.back()));
+  }
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+  EXPECT_LT(errors[2], 0.5 * errors[1]);
+}
+
+// Of a round contact, nu = 0.3: 0.21389 p0 at a depth of 0.35086 a under the line of the centre, 0.848 a in front of and behind it.
+TEST(FatigueTest, OrthogonalShearOfAPointContact)
+{
+  const auto rolling_ball = [](double resolution)
+  {
+    RollingCase c = ball_on_flat(steel, p0, 0.0);
+    const double a = 0.5 * std::numbers::pi * p0 * radius / contact_modulus(steel.elastic, steel.elastic);
+    c.lower.fatigue = Fatigue{};
+    c.distance = 6.0 * a;
+    c.load_steps = 1;
+    c.resolution = resolution;
+    return std::pair{c, a};
+  };
+  std::vector<double> errors;
+  for (const double resolution : {4.0, 8.0, 12.0})
+  {
+    const auto [c, a] = rolling_ball(resolution);
+    const Vertex found = orthogonal_shear(c);
+    errors.push_back(std::abs(found.value / (0.21389 * p0) - 1.0));
+    if (resolution == 12.0)
+    {
+      EXPECT_NEAR(found.value, 0.21389 * p0, 0.005 * 0.21389 * p0);
+      EXPECT_NEAR(found.depth, 0.35086 * a, 0.03 * 0.35086 * a);
+    }
+    RecordProperty("error_of_" + std::to_string(static_cast<int>(resolution)), std::to_string(errors.back()));
+  }
+  EXPECT_LT(errors[1], 0.5 * errors[0]);
+}
+
+FatigueSummary after_passes(double p0_over_k, int passes)
+{
+  constexpr double k = 300e6;
+  const constitutive::Material perfect{{210e9, 0.3}, constitutive::PerfectPlasticity{k * std::numbers::sqrt3}};
+  RollingCase c = rolling_line(perfect, p0_over_k * k, 8.0, 6.0);
+  c.passes = passes;
+  return *simulation::run(c).fatigue[0];
+}
+
+// Johnson (1962): a line contact that rolls without friction first yields at p0 = 3.1 k (of von Mises), and shakes down up to
+// p0 = 4 k, for which the orthogonal shear is k.
+TEST(FatigueTest, ShakedownLimitOfALineContact)
+{
+  EXPECT_EQ(after_passes(2.9, 1).worst(), Shakedown::elastic);
+  EXPECT_EQ(after_passes(3.6, 6).worst(), Shakedown::elastic_shakedown);
+  const FatigueSummary beyond = after_passes(4.5, 6);
+  EXPECT_EQ(beyond.worst(), Shakedown::ratchetting);
+  EXPECT_GT(beyond.ratchetting, 20.0 * after_passes(3.6, 6).plastic_strain);
+}
+
+// The shoulder of a dent is worst, nearer to the surface than the worst layer under the smooth track.
+TEST(FatigueTest, ADentIsWorstAtItsShoulder)
+{
+  constexpr double edge = 70e-6;
+  RollingCase c = ball_on_flat(steel, 1.4e9, 0.7e-3);
+  c.lower.fatigue = Fatigue{.criterion = Fatigue::Criterion::dang_van, .torsion_limit = 400e6, .bending_limit = 600e6};
+  c.load_steps = 2;
+  c.resolution = 10.0;
+  const FatigueSummary smooth = *simulation::run(c).fatigue[0];
+  EXPECT_NEAR(smooth.life, 1.0, 0.02);
+  c.lower.texture = simulation::Texture{simulation::Dent{.depth = 3e-6, .edge_radius = edge}};
+  const FatigueSummary dented = *simulation::run(c).fatigue[0];
+  const double off = std::hypot(dented.utilisation->x, dented.utilisation->y);
+  EXPECT_GT(off, 0.7 * edge);
+  EXPECT_LT(off, 1.7 * edge);
+  EXPECT_LT(dented.utilisation->depth, 0.6 * smooth.utilisation->depth);
+  EXPECT_GT(dented.utilisation->value, 1.05 * smooth.utilisation->value);
+}
+
+RollingCase yielding_line()
+{
+  constexpr double k = 300e6;
+  const constitutive::Material hardening{{210e9, 0.3}, constitutive::LinearHardening{k * std::numbers::sqrt3, 5e9}};
+  RollingCase c = rolling_line(hardening, 4.2 * k, 6.0, 5.0);
+  c.lower.fatigue =
+      Fatigue{.criterion = Fatigue::Criterion::fatemi_socie, .torsion_limit = 400e6, .bending_limit = 600e6};
+  c.passes = 2;
+  return c;
+}
+
+void expect_equal(const simulation::StepFields& one, const simulation::StepFields& other)
+{
+  ASSERT_EQ(one.lower.fatigue.size(), simulation::fatigue_fields.size());
+  ASSERT_EQ(other.lower.fatigue.size(), one.lower.fatigue.size());
+  const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  for (std::size_t n = 0; n < one.lower.fatigue.size(); ++n)
+    EXPECT_TRUE(std::ranges::equal(one.lower.fatigue[n](), other.lower.fatigue[n](), is_same))
+        << simulation::fatigue_fields[n].name;
+}
+
+TEST(FatigueTest, GoesOnFromACheckpointWithTheSameDigits)
+{
+  const RollingCase c = yielding_line();
+  simulation::Run<RollingCase> whole(c), first(c);
+  while (!whole.is_done())
+    static_cast<void>(whole.step());
+  for (int step = 0; step < 3 * first.step_count() / 4; ++step) // within the second pass
+    static_cast<void>(first.step());
+  const Archive::Fields checkpoint = first.checkpoint();
+  simulation::Run<RollingCase> second(c, {}, &checkpoint);
+  while (!second.is_done())
+    static_cast<void>(second.step());
+  expect_equal(whole.fields(), second.fields());
+  EXPECT_EQ(whole.totals().fatigue[0]->utilisation->value, second.totals().fatigue[0]->utilisation->value);
+}
+
+TEST(FatigueTest, CostsNothingWithoutARequest)
+{
+  RollingCase c = yielding_line();
+  const double with = simulation::memory_of_fatigue(simulation::plan(c), c.lower, c.upper);
+  EXPECT_GT(with, 0.0);
+  c.lower.fatigue.reset();
+  EXPECT_EQ(simulation::memory_of_fatigue(simulation::plan(c), c.lower, c.upper), 0.0);
+  simulation::Run<RollingCase> run(c);
+  static_cast<void>(run.step());
+  EXPECT_FALSE(run.totals().fatigue[0]);
+  EXPECT_TRUE(run.fields().lower.fatigue.empty());
+}
+
+} // namespace
+} // namespace brinell::verification::fatigue_test
