@@ -161,6 +161,81 @@ TEST(FatigueTest, ADentIsWorstAtItsShoulder)
   EXPECT_GT(dented.utilisation->value, 1.05 * smooth.utilisation->value);
 }
 
+/// A dented flat that stays elastic, judged by Findley's criterion.
+RollingCase dented_flat(bool whole_map)
+{
+  RollingCase c = ball_on_flat(steel, 1.4e9, 0.5e-3);
+  c.lower.fatigue = Fatigue{
+      .criterion = Fatigue::Criterion::findley, .torsion_limit = 400e6, .bending_limit = 600e6, .whole_map = whole_map};
+  c.lower.texture = simulation::Texture{simulation::Dent{.depth = 3e-6, .edge_radius = 70e-6}};
+  c.load_steps = 1;
+  c.resolution = 5.0;
+  return c;
+}
+
+TEST(FatigueTest, TheMapOfTheWorstCellsIsAPartOfTheWholeMap)
+{
+  const auto map_of = [](bool whole)
+  {
+    simulation::Run<RollingCase> run(dented_flat(whole));
+    simulation::finish(run);
+    return std::pair{run.fields().lower.fatigue.at(7)(), *run.totals().fatigue[0]};
+  };
+  const auto [whole, of_whole] = map_of(true);
+  const auto [part, of_part] = map_of(false);
+  EXPECT_EQ(of_whole.judged_share, 1.0);
+  EXPECT_LT(of_part.judged_share, 0.5);
+  EXPECT_GT(of_part.judged_share, 0.0);
+  EXPECT_EQ(of_part.utilisation->value, of_whole.utilisation->value);
+  EXPECT_EQ(of_part.utilisation->x, of_whole.utilisation->x);
+  EXPECT_EQ(of_part.utilisation->depth, of_whole.utilisation->depth);
+  ASSERT_EQ(part.size(), whole.size());
+  const VolumeGrid grid = simulation::plan(dented_flat(true)).lower;
+  int left_out = 0;
+  for (std::size_t n = 0; n < whole.size(); ++n)
+  {
+    EXPECT_FALSE(std::isnan(whole[n]));
+    if (!std::isnan(part[n]))
+    {
+      EXPECT_EQ(part[n], whole[n]);
+    }
+    // What is left out of the columns that are judged is not among the worst.
+    const double x = grid.surface.x(static_cast<int>(n % static_cast<std::size_t>(grid.surface.nx)));
+    if (std::isnan(part[n]) && x > of_part.first_column - 1e-9 && x < of_part.last_column + 1e-9)
+    {
+      EXPECT_LT(whole[n], simulation::fatigue_map_share * of_whole.utilisation->value);
+      ++left_out;
+    }
+  }
+  EXPECT_GT(left_out, 0);
+}
+
+TEST(FatigueTest, AShortPassHasNoLife)
+{
+  RollingCase c = rolling_line(steel, p0, 0.5, 4.0);
+  const FatigueSummary brief = *simulation::run(c).fatigue[0];
+  EXPECT_TRUE(brief.is_short);
+  EXPECT_TRUE(std::isnan(brief.life));
+  c = rolling_line(steel, p0, 6.0, 4.0);
+  const FatigueSummary whole = *simulation::run(c).fatigue[0];
+  EXPECT_FALSE(whole.is_short);
+  EXPECT_FALSE(std::isnan(whole.life));
+}
+
+// The orthogonal shear is largest at a depth of 0.35 a, the grid ends above.
+TEST(FatigueTest, AWorstPointInTheLastLayerIsAtTheEdge)
+{
+  RollingCase c = ball_on_flat(steel, p0, 0.6e-3);
+  c.lower.fatigue = Fatigue{};
+  c.load_steps = 1;
+  const FatigueSummary deep = *simulation::run(c).fatigue[0];
+  EXPECT_FALSE(deep.orthogonal_shear.is_at_edge);
+  c.extent = 0.1;
+  const FatigueSummary shallow = *simulation::run(c).fatigue[0];
+  EXPECT_TRUE(shallow.orthogonal_shear.is_at_edge);
+  EXPECT_LT(shallow.orthogonal_shear.depth, deep.orthogonal_shear.depth);
+}
+
 RollingCase yielding_line()
 {
   constexpr double k = 300e6;

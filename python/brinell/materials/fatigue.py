@@ -29,7 +29,7 @@ class FatigueConstants(CaseTable):
             weight of the hydrostatic or normal stress. In Pa, > 0; only with criterion = "dang_van" or "crossland" or
             "findley" or "fatemi_socie".
         map: Cells in which a criterion of critical planes is evaluated: those of the track that may reach 0.9 of its
-            largest value (others have no value, NaN), or all, which takes far longer. Default: worst; only with
+            largest value (others have no value, NaN), or all, which takes far longer. Default: "worst"; only with
             criterion = "findley" or "fatemi_socie".
         stress_exponent: Exponent c of the shear amplitude in the stress-volume integral of Lundberg and Palmgren
             (1947). Allowed: in (0, 30]; default: 10.333333333333334; only with criterion = "none" or "dang_van" or

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brinell._names import did_you_mean
 from brinell.results.errors import RunError, listed
+from brinell.results.fields import Body
 
 __all__ = ["Fatigue", "FatiguePlace", "fatigue_of"]
 
@@ -52,7 +53,7 @@ class Fatigue:
     whole body. Fields have all cells.
     """
 
-    body: Literal["lower", "upper"]
+    body: Body
     criterion: str
     """Word of the case: "dang_van"; "none" without a criterion."""
     cycle: int
@@ -77,7 +78,7 @@ class Fatigue:
     """Bound for the error of shear amplitudes because steps of the history are left out, over the orthogonal shear."""
     columns: tuple[float, float]
     """Centres of the first and the last column that the key numbers are of [m]."""
-    _field: Callable[[str, str], Any]
+    _field: Callable[[Body, str], Any]
 
     def field(self, name: str) -> Any:
         """A field over z, y and x at the end, as `Run.field` returns it.
@@ -117,9 +118,7 @@ def largest(values: FloatArray, axes: tuple[int, ...]) -> FloatArray:
     return np.where(np.isneginf(known), np.nan, known)
 
 
-def fatigue_of(
-    summary: Mapping[str, Any] | None, body: Literal["lower", "upper"], field: Callable[[str, str], Any], place: str
-) -> Fatigue:
+def fatigue_of(summary: Mapping[str, Any] | None, body: Body, field: Callable[[Body, str], Any], place: str) -> Fatigue:
     """The fatigue of a body from the summary of a run.
 
     Args:
