@@ -79,7 +79,6 @@ template <typename Damage>
 double largest_over_planes(std::span<const SymTensor> stress, std::span<const SymTensor> shear, const Damage& damage)
 {
   std::vector<Point<2>> path(shear.size());
-  std::vector<double> weights(shear.size());
   const auto largest_normal = [&](const Vector3& n)
   {
     double largest = -std::numeric_limits<double>::infinity();
@@ -118,7 +117,7 @@ double largest_over_planes(std::span<const SymTensor> stress, std::span<const Sy
   {
     const PlaneAxes axes(normal);
     set_path(axes);
-    return damage(smallest_ball<2>(path, weights).radius, largest_normal(axes.n));
+    return damage(smallest_ball<2>(path).radius, largest_normal(axes.n));
   };
 
   const auto& normals = half_sphere();

@@ -194,9 +194,8 @@ double principal_shear(const SymTensor& stress)
 DeviatorBall enclosing_ball(std::span<const SymTensor> stress)
 {
   std::vector<Point<5>> points(stress.size());
-  std::vector<double> weights(stress.size());
   std::ranges::transform(stress, points.begin(), vector_of);
-  const Ball<5> ball = smallest_ball<5>(points, weights);
+  const Ball<5> ball = smallest_ball<5>(points);
   return {tensor_of(ball.centre), ball.radius};
 }
 

@@ -43,55 +43,61 @@ Range range_of(const std::vector<Stress>& cycle, std::size_t number)
   return range;
 }
 
-/// Half of the square of the length of a deviator less `centre`, J2.
-void find_j2(const std::vector<Stress>& cycle, const Stress& centre, std::vector<FatigueLanes>& j2)
+/// Largest of principal shear + weight * mean over the cycle, of the deviator less a centre. The principal shear is sqrt(J2) cos t,
+/// where cos 3t = c follows from J3 and cos t is a polynomial of c, to 1e-6; it is computed anew where the sum is largest.
+/// @param j2  becomes J2 of all points
+FatigueLanes largest_shear(const std::vector<Stress>& cycle, const Stress& centre, float weight,
+                           std::vector<FatigueLanes>& j2)
 {
+  constexpr float tiny = 1e-30F;
+  FatigueLanes most;
+  std::array<int, lanes> where{};
+  most.fill(-std::numeric_limits<float>::infinity());
   j2.resize(cycle.size());
   for (std::size_t n = 0; n < cycle.size(); ++n)
   {
     const Stress& s = cycle[n];
+    FatigueLanes& second = j2[n];
+    const int number = static_cast<int>(n);
 #pragma omp simd
     for (std::size_t l = 0; l < lanes; ++l)
     {
       const float a = s[xx][l] - centre[xx][l], b = s[yy][l] - centre[yy][l], c = s[yz][l] - centre[yz][l],
-                  d = s[xz][l] - centre[xz][l], e = s[xy][l] - centre[xy][l];
-      j2[n][l] = a * a + b * b + a * b + c * c + d * d + e * e;
+                  d = s[xz][l] - centre[xz][l], e = s[xy][l] - centre[xy][l], f = -a - b;
+      const float square = a * a + b * b + a * b + c * c + d * d + e * e, root = std::sqrt(square);
+      const float inverse = 1.0F / std::max(root, tiny);
+      const float third =
+          (a * (b * f - c * c) - e * (e * f - c * d) + d * (e * c - b * d)) * inverse * inverse * inverse;
+      const float cosine = std::sqrt(std::max(0.0F, 1.0F - 6.75F * third * third));
+      const float share =
+          0.86602598F +
+          cosine *
+              (0.16662258F +
+               cosine * (-0.047553684F + cosine * (0.02197789F + cosine * (-0.0090542486F + cosine * 0.0019819242F))));
+      const float sum = root * share + weight * s[mean][l];
+      const bool is_larger = sum > most[l];
+      second[l] = square;
+      most[l] = is_larger ? sum : most[l];
+      where[l] = is_larger ? number : where[l];
     }
   }
-}
-
-/// Largest of principal shear + weight * mean over the cycle. The principal shear is sqrt(J2) times a number in [sqrt(3)/2, 1],
-/// which is computed only where it may matter.
-FatigueLanes largest_shear(const std::vector<Stress>& cycle, const Stress& centre, float weight,
-                           std::vector<FatigueLanes>& j2)
-{
-  find_j2(cycle, centre, j2);
-  constexpr float least_share = 0.866025F;
-  FatigueLanes sure;
-  sure.fill(-std::numeric_limits<float>::infinity());
-  for (std::size_t n = 0; n < cycle.size(); ++n)
-#pragma omp simd
-    for (std::size_t l = 0; l < lanes; ++l)
-      sure[l] = std::max(sure[l], least_share * std::sqrt(j2[n][l]) + weight * cycle[n][mean][l]);
-  for (std::size_t n = 0; n < cycle.size(); ++n)
-    for (std::size_t l = 0; l < lanes; ++l)
-    {
-      const float pressure = weight * cycle[n][mean][l];
-      if (std::sqrt(j2[n][l]) + pressure <= sure[l])
-        continue;
-      Stress moved;
-      for (std::size_t c = xx; c <= xy; ++c)
-        moved[c][0] = cycle[n][c][l] - centre[c][l];
-      moved[mean][0] = 0.0F;
-      sure[l] = std::max(sure[l], static_cast<float>(principal_shear(LaneCycles::tensor(moved, 0))) + pressure);
-    }
-  return sure;
+  for (std::size_t l = 0; l < lanes; ++l)
+  {
+    const Stress& s = cycle[static_cast<std::size_t>(where[l])];
+    Stress moved{};
+    for (std::size_t c = xx; c <= xy; ++c)
+      moved[c][0] = s[c][l] - centre[c][l];
+    most[l] = static_cast<float>(principal_shear(LaneCycles::tensor(moved, 0))) + weight * s[mean][l];
+  }
+  return most;
 }
 
 struct Balls
 {
   Stress centre; ///< the last number is 0
   FatigueLanes radius;
+  FatigueLanes
+      gap; ///< bound for the square of the distance from the true centre, and for the error of the radius' square
 };
 
 /// Indices of the points farthest from a centre.
@@ -114,7 +120,8 @@ std::array<std::size_t, lanes> farthest_from(const std::vector<std::array<Fatigu
 
 /// The smallest balls around the deviators, as `smallest_ball`, in all lanes at once, begun halfway between two points far apart.
 /// The radius is that of a ball around all points, whatever the number of steps.
-Balls enclosing_balls(const std::vector<Stress>& cycle, LaneScratch& scratch)
+/// @param accepted, over_radius  gap at which to stop, and a further one over the radius
+Balls enclosing_balls(const std::vector<Stress>& cycle, float accepted, float over_radius, LaneScratch& scratch)
 {
   constexpr float tolerance = 1e-3F; // of the square of the radius
   constexpr int most = 25;           // a few cells need far more, and are among the worst ones seldom
@@ -151,10 +158,13 @@ Balls enclosing_balls(const std::vector<Stress>& cycle, LaneScratch& scratch)
     for (std::size_t c = 0; c < 5; ++c)
       centre[c][l] = 0.5F * (points[one[l]][c][l] + points[other[l]][c][l]);
   }
-  FatigueLanes farthest{};
-  for (int step = 0; step < most; ++step)
+  std::array<FatigueLanes, 5> best = centre; // of all steps, as they do not become better each time
+  FatigueLanes square, least;                // bounds of the square of the radius
+  square.fill(std::numeric_limits<float>::infinity());
+  least.fill(0.0F);
+  for (int step = 0;; ++step)
   {
-    FatigueLanes nearest, variance{};
+    FatigueLanes farthest, nearest, variance{};
     std::array<int, lanes> far{}, near{};
     farthest.fill(-1.0F);
     nearest.fill(std::numeric_limits<float>::infinity());
@@ -178,11 +188,22 @@ Balls enclosing_balls(const std::vector<Stress>& cycle, LaneScratch& scratch)
       }
     }
     bool is_done = true;
+    std::array<bool, lanes> moves{};
     for (std::size_t l = 0; l < lanes; ++l)
     {
-      if (farthest[l] - variance[l] <= tolerance * farthest[l])
+      for (std::size_t c = 0; c < 5; ++c)
+        best[c][l] = farthest[l] < square[l] ? centre[c][l] : best[c][l];
+      square[l] = std::min(square[l], farthest[l]);
+      least[l] = std::max(least[l], variance[l]);
+      moves[l] = square[l] - least[l] > std::max({tolerance * square[l], accepted, over_radius * std::sqrt(square[l])});
+      is_done = is_done && !moves[l];
+    }
+    if (is_done || step == most)
+      break;
+    for (std::size_t l = 0; l < lanes; ++l)
+    {
+      if (!moves[l])
         continue;
-      is_done = false;
       const auto f = static_cast<std::size_t>(far[l]), m = static_cast<std::size_t>(near[l]);
       float apart = 0.0F;
       for (std::size_t c = 0; c < 5; ++c)
@@ -195,18 +216,17 @@ Balls enclosing_balls(const std::vector<Stress>& cycle, LaneScratch& scratch)
       for (std::size_t c = 0; c < 5; ++c)
         centre[c][l] += moved * (points[f][c][l] - points[m][c][l]);
     }
-    if (is_done)
-      break;
   }
   Balls balls{};
   for (std::size_t l = 0; l < lanes; ++l)
   {
-    balls.radius[l] = std::sqrt(farthest[l]);
-    balls.centre[xx][l] = centre[0][l] / root;
-    balls.centre[yy][l] = 0.5F * (centre[1][l] / half - balls.centre[xx][l]);
-    balls.centre[yz][l] = centre[2][l] / twice;
-    balls.centre[xz][l] = centre[3][l] / twice;
-    balls.centre[xy][l] = centre[4][l] / twice;
+    balls.radius[l] = std::sqrt(square[l]);
+    balls.gap[l] = std::max(0.0F, square[l] - least[l]);
+    balls.centre[xx][l] = best[0][l] / root;
+    balls.centre[yy][l] = 0.5F * (best[1][l] / half - balls.centre[xx][l]);
+    balls.centre[yz][l] = best[2][l] / twice;
+    balls.centre[xz][l] = best[3][l] / twice;
+    balls.centre[xy][l] = best[4][l] / twice;
   }
   return balls;
 }
@@ -224,11 +244,13 @@ FatigueLanes most_normal_stress(const std::vector<Stress>& cycle, const std::vec
 }
 
 /// Bound of the criteria of critical planes: no shear amplitude exceeds the radius of the ball over sqrt(2).
-FatigueLanes bound_on_planes(const LaneCycles& cycles, const FatigueCriterion& criterion, LaneScratch& scratch)
+FatigueLanes bound_on_planes(const LaneCycles& cycles, const FatigueCriterion& criterion, float accepted_shear,
+                             LaneScratch& scratch)
 {
   const FatigueLanes normal = most_normal_stress(cycles.stress, scratch.j2);
   const bool is_findley = criterion.kind() == Criterion::findley;
-  const Balls balls = enclosing_balls(is_findley ? cycles.stress : cycles.strain, scratch);
+  const Balls balls = enclosing_balls(is_findley ? cycles.stress : cycles.strain, 0.0F,
+                                      std::numbers::sqrt2_v<float> * accepted_shear, scratch);
   const auto k = static_cast<float>(criterion.sensitivity()), limit = static_cast<float>(criterion.limit());
   FatigueLanes bound;
   for (std::size_t l = 0; l < lanes; ++l)
@@ -239,36 +261,43 @@ FatigueLanes bound_on_planes(const LaneCycles& cycles, const FatigueCriterion& c
   return bound;
 }
 
-FatigueLanes utilisation(const LaneCycles& cycles, const FatigueCriterion& criterion, const FatigueLanes& most_mean,
-                         LaneScratch& scratch)
+/// Fills utilisation and slack. A centre that is off by d changes a principal shear by less than d / sqrt(2), a radius R whose square
+/// is known to g an amplitude by less than g / (sqrt(2) R).
+void find_utilisation(const LaneCycles& cycles, const FatigueCriterion& criterion, float accepted_shear,
+                      LaneFatigue& result, LaneScratch& scratch)
 {
-  if (criterion.kind() == Criterion::none)
-    return {};
-  if (criterion.kind() != Criterion::dang_van && criterion.kind() != Criterion::crossland)
-    return bound_on_planes(cycles, criterion, scratch);
-  const Balls balls = enclosing_balls(cycles.stress, scratch);
+  constexpr float root = std::numbers::sqrt2_v<float>;
   const auto weight = static_cast<float>(criterion.sensitivity()), limit = static_cast<float>(criterion.limit());
-  FatigueLanes result;
+  result.utilisation = result.slack = FatigueLanes{};
+  if (criterion.kind() == Criterion::none)
+    return;
   if (criterion.kind() == Criterion::dang_van)
-    result = largest_shear(cycles.stress, balls.centre, weight, scratch.j2);
-  else
+  {
+    const Balls balls = enclosing_balls(cycles.stress, 2.0F * accepted_shear * accepted_shear, 0.0F, scratch);
+    result.utilisation = largest_shear(cycles.stress, balls.centre, weight, scratch.j2);
     for (std::size_t l = 0; l < lanes; ++l)
-      result[l] = balls.radius[l] * std::sqrt(0.5F) + weight * most_mean[l];
-  for (float& value : result)
-    value /= limit;
-  return result;
+    {
+      result.utilisation[l] /= limit;
+      result.slack[l] = std::sqrt(0.5F * balls.gap[l]) / limit;
+    }
+  }
+  else if (criterion.kind() == Criterion::crossland)
+  {
+    const Balls balls = enclosing_balls(cycles.stress, 0.0F, root * accepted_shear, scratch);
+    for (std::size_t l = 0; l < lanes; ++l)
+    {
+      result.utilisation[l] = (balls.radius[l] / root + weight * result.most_mean[l]) / limit;
+      result.slack[l] = balls.radius[l] > 0.0F ? balls.gap[l] / (root * balls.radius[l] * limit) : 0.0F;
+    }
+  }
+  else
+    result.utilisation = bound_on_planes(cycles, criterion, accepted_shear, scratch);
 }
 
 } // namespace
 
-SymTensor LaneCycles::tensor(const Stress& numbers, int lane)
-{
-  const auto l = static_cast<std::size_t>(lane);
-  const double a = numbers[xx][l], b = numbers[yy][l], third = numbers[mean][l];
-  return {a + third, b + third, third - a - b, numbers[yz][l], numbers[xz][l], numbers[xy][l]};
-}
-
-LaneFatigue fatigue_of(const LaneCycles& cycles, const FatigueCriterion& criterion, LaneScratch& scratch)
+LaneFatigue fatigue_of(const LaneCycles& cycles, const FatigueCriterion& criterion, LaneScratch& scratch,
+                       double accepted_shear)
 {
   LaneFatigue result;
   const Range along = range_of(cycles.stress, xz), across = range_of(cycles.stress, yz),
@@ -278,7 +307,7 @@ LaneFatigue fatigue_of(const LaneCycles& cycles, const FatigueCriterion& criteri
   result.least_mean = of_mean.least;
   result.most_mean = of_mean.most;
   result.principal = largest_shear(cycles.stress, Stress{}, 0.0F, scratch.j2);
-  result.utilisation = utilisation(cycles, criterion, of_mean.most, scratch);
+  find_utilisation(cycles, criterion, static_cast<float>(accepted_shear), result, scratch);
   return result;
 }
 

@@ -14,6 +14,13 @@ namespace brinell::constitutive
 inline constexpr int fatigue_lanes = 16;
 using FatigueLanes = std::array<float, fatigue_lanes>;
 
+/// The tensor of the deviator xx, yy, yz, xz, xy and a third of the trace.
+[[nodiscard]] constexpr SymTensor tensor_of(const std::array<float, 6>& numbers)
+{
+  const double a = numbers[0], b = numbers[1], third = numbers[5];
+  return {a + third, b + third, third - a - b, numbers[2], numbers[3], numbers[4]};
+}
+
 /// The cycles of so many points side by side.
 struct LaneCycles
 {
@@ -25,7 +32,11 @@ struct LaneCycles
 
   [[nodiscard]] SymTensor stress_at(std::size_t point, int lane) const { return tensor(stress[point], lane); }
   [[nodiscard]] SymTensor strain_at(std::size_t point, int lane) const { return tensor(strain[point], lane); }
-  [[nodiscard]] static SymTensor tensor(const Stress& numbers, int lane);
+  [[nodiscard]] static SymTensor tensor(const Stress& numbers, int lane)
+  {
+    const auto l = static_cast<std::size_t>(lane);
+    return tensor_of({numbers[0][l], numbers[1][l], numbers[2][l], numbers[3][l], numbers[4][l], numbers[5][l]});
+  }
 };
 
 struct LaneFatigue
@@ -34,6 +45,7 @@ struct LaneFatigue
   FatigueLanes principal;             ///< largest principal shear [Pa]
   FatigueLanes least_mean, most_mean; ///< hydrostatic stress [Pa]
   FatigueLanes utilisation;           ///< Dang Van and Crossland; other criteria: an upper bound of it
+  FatigueLanes slack;                 ///< bound for the error of the utilisation; 0 if that is a bound
 };
 
 /// Buffers, kept from call to call.
@@ -43,6 +55,8 @@ struct LaneScratch
   std::vector<FatigueLanes> weights, j2;
 };
 
-[[nodiscard]] LaneFatigue fatigue_of(const LaneCycles& cycles, const FatigueCriterion& criterion, LaneScratch& scratch);
+/// @param accepted_shear  error of the shear in the utilisation [Pa] that is accepted, if it is above 0.03 of the amplitude
+[[nodiscard]] LaneFatigue fatigue_of(const LaneCycles& cycles, const FatigueCriterion& criterion, LaneScratch& scratch,
+                                     double accepted_shear = 0.0);
 
 } // namespace brinell::constitutive

@@ -19,7 +19,7 @@ constexpr double shear_error = 0.012, table_cells = 8.0;
 
 void warn_of_body(const simulation::FatigueSummary& body, const char* name, std::vector<Warning>& warnings)
 {
-  constexpr double much_in_first_layer = 0.3, large_path_error = 0.05;
+  constexpr double much_in_first_layer = 0.3, large_path_error = 0.05, long_life = 1.05;
   if (body.cycle == 1 && body.plastic_strain > 0.0)
     warnings.push_back({"fatigue_first_cycle",
                         fmt::format("fatigue of the {} body is judged in its first cycle, in which it still adapts by "
@@ -31,6 +31,12 @@ void warn_of_body(const simulation::FatigueSummary& body, const char* name, std:
                                     "division by a power of the depth makes it depend on the layers; the life is not "
                                     "one under the surface",
                                     100.0 * body.share_of_first_layer, name)});
+  if (body.is_own_reference && body.life > long_life)
+    warnings.push_back({"fatigue_reference",
+                        fmt::format("the median of the columns of the {} body, to which its life refers, has a larger "
+                                    "stress-volume than their mean, so that the life is {:.3g}: half of the track is "
+                                    "not as it is elsewhere; give a reference or a longer way",
+                                    name, body.life)});
   if (body.path_error > large_path_error)
     warnings.push_back({"fatigue_path", fmt::format("so many steps of the stress history of the {} body were left out "
                                                     "that its shear amplitudes may be wrong by up to {:.2g} of the "

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fatigue against closed forms, and how it is stored and resumed.
+#include "order.hpp"
 #include "scenario_runs.hpp"
+
+#include "brinell/simulation/sliding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -208,6 +211,48 @@ TEST(FatigueTest, TheMapOfTheWorstCellsIsAPartOfTheWholeMap)
     }
   }
   EXPECT_GT(left_out, 0);
+}
+
+// A wave of amplitude A that slides over a flat, pressed so that they touch everywhere, has the pressure E' k A/2 cos kx about its mean
+// (Westergaard 1939). Each point of the flat then sees the shear xz of amplitude E' k A/2 kz exp(-kz), which is largest at kz = 1.
+TEST(FatigueTest, OrthogonalShearUnderASlidingWave)
+{
+  constexpr double wavelength = 1e-3, amplitude = 1e-6, k = 2.0 * std::numbers::pi / wavelength;
+  const double largest = 0.5 * contact_modulus(steel.elastic, steel.elastic) * k * amplitude;
+  const auto sliding_wave = [&](int cells)
+  {
+    simulation::SlidingCase c;
+    c.lower = {simulation::Plane{}, steel};
+    c.lower.fatigue = Fatigue{};
+    c.upper = {simulation::Plane{}, steel};
+    c.upper.texture = simulation::Sinusoid{.amplitude = amplitude, .wavelength_x = wavelength};
+    c.domain.x = {Boundary::periodic, wavelength, cells};
+    c.domain.y = {Boundary::periodic, wavelength, 1};
+    c.press = load(1.2 * largest * wavelength * wavelength);
+    c.press_steps = 1;
+    c.distance = wavelength;
+    return c;
+  };
+  std::vector<double> errors;
+  for (const int cells : {8, 16, 32})
+  {
+    const Vertex found = orthogonal_shear(sliding_wave(cells));
+    errors.push_back(std::abs(found.value / (largest / std::numbers::e) - 1.0));
+    if (cells == 32)
+    {
+      EXPECT_NEAR(found.depth, 1.0 / k, 0.03 / k);
+    }
+  }
+  EXPECT_GT(test::Orders("fatigue under a sliding wave, orthogonal shear", errors).last, 1.8);
+  EXPECT_LT(errors.back(), 0.005);
+  // More steps than are kept: the error is within the bound that is stated.
+  const simulation::SlidingCase fine = sliding_wave(64);
+  const FatigueSummary all = *simulation::run(fine).fatigue[0];
+  EXPECT_GT(all.path_error, 0.0);
+  EXPECT_NEAR(orthogonal_shear(fine).value, largest / std::numbers::e,
+              (all.path_error + errors.back()) * largest / std::numbers::e);
+  EXPECT_FALSE(all.is_short) << "a periodic contact passes all columns";
+  EXPECT_NEAR(all.life, 1.0, 0.02);
 }
 
 TEST(FatigueTest, AShortPassHasNoLife)

@@ -64,7 +64,7 @@ public:
   /// Stress [Pa] of a load alone in one layer: the five components of the deviator and then the trace, each [y][x].
   /// @param work  may be one of `make_guest` that has borrowed nothing
   void stress_of_load(const SurfaceLoad& load, int layer, Work& work, std::span<double> stress) const;
-  /// That stress in all layers, which the threads share: calls use(layer, stress) with the independent rows of each layer.
+  /// Stress of a load alone in all layers, which the threads share: calls use(layer, stress) with the independent rows of each layer.
   void stress_of_load(const SurfaceLoad& load, Work& work,
                       const std::function<void(int layer, std::span<const double> stress)>& use) const;
 

@@ -73,6 +73,7 @@ struct FatigueSummary
   double stress_volume = std::numeric_limits<double>::quiet_NaN();
   /// Life over that of a track with the reference; NaN if there is none.
   double life = std::numeric_limits<double>::quiet_NaN();
+  bool is_own_reference = false;     ///< the life is that over the median of the same track
   double share_of_first_layer = 0.0; ///< of the stress-volume
   bool is_short = false;             ///< the contact travels, but has passed no column as a whole: all are judged
   double judged_share = 1.0;         ///< of the cells for which the criterion was evaluated

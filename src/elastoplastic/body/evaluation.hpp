@@ -104,8 +104,9 @@ private:
   int shift_ = 0;                  ///< by which the contact moves in the increment [cells]
   StoredLoad committed_load_;      ///< of the state; with a window
 
-  WatchedCells watched_; ///< by `stress_at`
-  bool keeps_trace_ = false; ///< evaluations of all cells prepare the trace in all of them
+  WatchedCells watched_;            ///< by `stress_at`
+  bool keeps_trace_ = false;        ///< evaluations of all cells prepare the trace in all of them
+  std::vector<double> layer_trace_; ///< buffer of for_layers
 };
 
 } // namespace brinell::elastoplastic

@@ -48,15 +48,16 @@ void Evaluation::for_layers(const halfspace::SurfaceLoad& load, const BodyState&
           use(layer, {stress.data(), plane, stress.data() + Deviator::size * plane, initial / 3.0, 2.0 * initial});
         });
   }
-  std::vector<double> deviator, trace(n);
+  std::vector<double> deviator;
+  layer_trace_.resize(n);
   const double* of_state = state.stress.data();
   const bool is_known = loaded_ && loaded_->has_trace();
   if (is_known)
-    loaded_->traces(load, trace);
+    loaded_->traces(load, layer_trace_);
   else
   {
     deviator.resize(Deviator::size * n);
-    full_stress(load, state.plastic_strain, deviator, trace, grid_.nz);
+    full_stress(load, state.plastic_strain, deviator, layer_trace_, grid_.nz);
     for (std::size_t i = 0; i < state.thermal_stress.size(); ++i)
       deviator[i] += state.thermal_stress[i];
     of_state = deviator.data();
@@ -66,7 +67,7 @@ void Evaluation::for_layers(const halfspace::SurfaceLoad& load, const BodyState&
   {
     const std::size_t first = static_cast<std::size_t>(layer) * plane;
     const double initial = is_known ? 2.0 * initial_stress_.at(static_cast<std::size_t>(layer)) : 0.0;
-    use(layer, {of_state + first, n, trace.data() + first, 0.0, initial});
+    use(layer, {of_state + first, n, layer_trace_.data() + first, 0.0, initial});
   }
 }
 

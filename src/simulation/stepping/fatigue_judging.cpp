@@ -74,24 +74,33 @@ void FatigueOfBody::gather(int strip, int first_column, Lanes& lanes) const
     if (sample.first > last || sample.first + sample.count <= first_column)
       continue;
     const float* from = samples_.strip(sample, strip);
+    const auto count = static_cast<std::size_t>(sample.count);
     constitutive::LaneCycles::Stress point = stress.empty() ? constitutive::LaneCycles::Stress{} : stress.back(),
                                      of_strain = strain.empty() ? constitutive::LaneCycles::Stress{} : strain.back();
     std::array<bool, lane_count> is_new{};
-    for (int l = 0; l < lane_count; ++l)
+    const bool has_all = first_column >= sample.first && first_column + lane_count <= sample.first + sample.count;
+    if (has_all) // most of them, and contiguous
+    {
+      from += first_column - sample.first;
+      for (std::size_t n = 0; n < point.size(); ++n)
+        std::copy_n(from + n * count, lane_count, point[n].begin());
+      for (std::size_t n = 0; has_strain && n < Deviator::size; ++n)
+        for (std::size_t l = 0; l < lane_count; ++l)
+          of_strain[n][l] = point[n][l] + twice_shear_modulus * from[(point.size() + n) * count + l];
+      for (std::size_t l = 0; l < lane_count; ++l)
+        is_new[l] = !std::exchange(is_known[l], true);
+    }
+    for (int l = 0; l < lane_count && !has_all; ++l)
     {
       const int column = std::min(first_column + l, last) - sample.first;
       if (column < 0 || column >= sample.count)
         continue;
-      const auto lane = static_cast<std::size_t>(l);
+      const auto lane = static_cast<std::size_t>(l), i = static_cast<std::size_t>(column);
       for (std::size_t n = 0; n < point.size(); ++n)
-        point[n][lane] = from[n * static_cast<std::size_t>(sample.count) + static_cast<std::size_t>(column)];
+        point[n][lane] = from[n * count + i];
       for (std::size_t n = 0; has_strain && n < Deviator::size; ++n)
-        of_strain[n][lane] =
-            point[n][lane] +
-            twice_shear_modulus *
-                from[(point.size() + n) * static_cast<std::size_t>(sample.count) + static_cast<std::size_t>(column)];
-      is_new[lane] = !is_known[lane];
-      is_known[lane] = true;
+        of_strain[n][lane] = point[n][lane] + twice_shear_modulus * from[(point.size() + n) * count + i];
+      is_new[lane] = !std::exchange(is_known[lane], true);
     }
     // Before a lane is known, its first point stands for it.
     for (std::size_t l = 0; l < lane_count && !stress.empty(); ++l)
@@ -109,14 +118,18 @@ void FatigueOfBody::gather(int strip, int first_column, Lanes& lanes) const
   }
 }
 
-void FatigueOfBody::judge_strip(int strip, const FatigueCriterion& criterion, Lanes& lanes, FatigueFields& fields) const
+/// @param slack  [strip][column]: becomes a bound for the error of the utilisation
+void FatigueOfBody::judge_strip(int strip, const FatigueCriterion& criterion, Lanes& lanes, FatigueFields& fields,
+                                std::span<float> slack) const
 {
+  constexpr double accepted = 0.006; // shear over the largest pressure, which is about three times the largest shear
   const int nx = grid_.surface.nx;
   const std::size_t row = grid_.index(0, strip % samples_.rows(), strip / samples_.rows());
   for (int first = 0; first < nx; first += lane_count)
   {
     gather(strip, first, lanes);
-    const constitutive::LaneFatigue found = fatigue_of(lanes.cycles, criterion, lanes.scratch);
+    const constitutive::LaneFatigue found =
+        fatigue_of(lanes.cycles, criterion, lanes.scratch, accepted * most_pressure_);
     for (int l = 0; l < std::min(lane_count, nx - first); ++l)
     {
       const auto lane = static_cast<std::size_t>(l);
@@ -126,6 +139,7 @@ void FatigueOfBody::judge_strip(int strip, const FatigueCriterion& criterion, La
       fields[mean_stress][cell] = 0.5 * (static_cast<double>(found.least_mean[lane]) + found.most_mean[lane]);
       fields[hydrostatic][cell] = found.most_mean[lane];
       fields[utilisation][cell] = found.utilisation[lane];
+      slack[static_cast<std::size_t>(strip * nx + first + l)] = found.slack[lane];
     }
   }
 }
@@ -155,43 +169,49 @@ void FatigueOfBody::judge_strain(int strip, FatigueFields& fields) const
   }
 }
 
-/// The utilisation of the cells whose bounds are the highest, for criteria of critical planes: down to the cells whose bound is
-/// below a share of the largest utilisation. Those are left without a value.
-double FatigueOfBody::judge_worst(const FatigueCriterion& criterion, FatigueFields& fields) const
+/// The cells that are judged and, in all others, no value, if the criterion is one of critical planes.
+std::vector<FatigueOfBody::Candidate> FatigueOfBody::candidates(bool on_planes, const std::vector<float>& slack,
+                                                                FatigueFields& fields) const
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const double share = fatigue_.whole_map ? -std::numeric_limits<double>::infinity() : fatigue_map_share;
   const int nx = grid_.surface.nx, rows = samples_.rows();
   const Columns judged = judged_columns();
-  struct Candidate
-  {
-    double bound;
-    int strip, column;
-  };
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> result;
   for (int strip = 0; strip < samples_.strips(); ++strip)
     for (int i = 0; i < nx; ++i)
     {
+      const auto at = static_cast<std::size_t>(strip) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
       double& value = fields[utilisation][grid_.index(i, strip % rows, strip / rows)];
-      if (fatigue_.whole_map || (i >= judged.first && i < judged.end))
-        candidates.push_back({value, strip, i});
-      value = nan;
+      if ((on_planes && fatigue_.whole_map) || (i >= judged.first && i < judged.end))
+        result.push_back({value + static_cast<double>(slack[at]), strip, i});
+      if (on_planes)
+        value = std::numeric_limits<double>::quiet_NaN();
     }
-  std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) { return a.bound > b.bound; });
+  return result;
+}
+
+/// Evaluates the criterion in double precision in the cells with the highest bounds, down to those whose bound is below a share of
+/// the largest utilisation.
+/// @returns the share of the candidates that were evaluated
+double FatigueOfBody::settle(std::vector<Candidate> cells, double share, const FatigueCriterion& criterion,
+                             FatigueFields& fields) const
+{
+  const int rows = samples_.rows();
+  std::ranges::stable_sort(cells, [](const Candidate& a, const Candidate& b) { return a.bound > b.bound; });
   constexpr std::ptrdiff_t at_once = 64;
   double worst = -std::numeric_limits<double>::infinity();
-  const auto count = static_cast<std::ptrdiff_t>(candidates.size());
+  const auto count = static_cast<std::ptrdiff_t>(cells.size());
   std::ptrdiff_t first = 0;
-  // Where pressure prevails, the largest utilisation may be negative, and no share of it bounds anything.
-  const auto matters = [&](double bound) { return worst <= 0.0 || bound >= share * worst; };
-  for (; first < count && matters(candidates[static_cast<std::size_t>(first)].bound); first += at_once)
+  // Where pressure prevails, the largest utilisation may be negative, and no share of it bounds anything but itself.
+  const auto matters = [&](double bound)
+  { return share < 1.0 ? worst <= 0.0 || bound >= share * worst : bound >= worst; };
+  for (; first < count && matters(cells[static_cast<std::size_t>(first)].bound); first += at_once)
   {
     const std::ptrdiff_t end = std::min(count, first + at_once);
     double found = worst;
 #pragma omp parallel for schedule(dynamic) reduction(max : found)
     for (std::ptrdiff_t n = first; n < end; ++n)
     {
-      const Candidate& c = candidates[static_cast<std::size_t>(n)];
+      const Candidate& c = cells[static_cast<std::size_t>(n)];
       const double value = exact_utilisation(c.strip, c.column, criterion);
       fields[utilisation][grid_.index(c.column, c.strip % rows, c.strip / rows)] = value;
       found = std::max(found, value);
@@ -201,40 +221,26 @@ double FatigueOfBody::judge_worst(const FatigueCriterion& criterion, FatigueFiel
   return count == 0 ? 0.0 : static_cast<double>(std::min(first, count)) / static_cast<double>(count);
 }
 
-/// Computes the utilisation anew in the cells of the track that may have the largest one. The map is known to 0.02 of the largest
-/// shear, as the lanes stop when the centres of the balls are known to that.
-void FatigueOfBody::settle_worst(const FatigueCriterion& criterion, FatigueFields& fields) const
-{
-  constexpr double margin = 0.02;
-  const Columns judged = judged_columns();
-  const int rows = samples_.rows();
-  const auto cell_of = [&](int strip, int column) { return grid_.index(column, strip % rows, strip / rows); };
-  const auto largest = [&](Field field)
-  {
-    double most = -std::numeric_limits<double>::infinity();
-    for (int strip = 0; strip < samples_.strips(); ++strip)
-      for (int i = judged.first; i < judged.end; ++i)
-        most = std::max(most, fields[field][cell_of(strip, i)]);
-    return most;
-  };
-  const double least = largest(utilisation) - margin * largest(principal) / criterion.limit();
-#pragma omp parallel for schedule(dynamic)
-  for (int strip = 0; strip < samples_.strips(); ++strip)
-    for (int i = judged.first; i < judged.end; ++i)
-      if (double& value = fields[utilisation][cell_of(strip, i)]; value >= least)
-        value = exact_utilisation(strip, i, criterion);
-}
-
 /// In double precision, for one cell.
 double FatigueOfBody::exact_utilisation(int strip, int column, const FatigueCriterion& criterion) const
 {
-  Lanes lanes;
-  gather(strip, column, lanes);
+  const bool has_strain = numbers_ > elastoplastic::CoupledContact::numbers_of_stress;
   std::vector<SymTensor> stress, strain;
-  for (std::size_t n = 0; n < lanes.cycles.stress.size(); ++n)
-    stress.push_back(lanes.cycles.stress_at(n, 0));
-  for (std::size_t n = 0; n < lanes.cycles.strain.size(); ++n)
-    strain.push_back(lanes.cycles.strain_at(n, 0));
+  for (const Sample& sample : samples_.samples())
+  {
+    if (column < sample.first || column >= sample.first + sample.count)
+      continue;
+    const float* from = samples_.strip(sample, strip) + (column - sample.first);
+    const auto number = [&](std::size_t n) { return from[n * static_cast<std::size_t>(sample.count)]; };
+    std::array<float, 6> s{}, e{};
+    for (std::size_t n = 0; n < s.size(); ++n)
+      s[n] = number(n);
+    stress.push_back(constitutive::tensor_of(s));
+    for (std::size_t n = 0; has_strain && n < Deviator::size; ++n)
+      e[n] = s[n] + static_cast<float>(2.0 * shear_modulus_) * number(s.size() + n);
+    if (has_strain)
+      strain.push_back(constitutive::tensor_of(e));
+  }
   return criterion.utilisation({stress, strain});
 }
 
@@ -248,9 +254,11 @@ void FatigueOfBody::copy_to_mirror_images(FatigueFields& fields) const
                     field.begin() + static_cast<std::ptrdiff_t>(grid_.index(0, j, k)));
 }
 
-/// The columns over which the contact has passed as a whole in the cycle.
+/// The columns over which the contact has passed as a whole in the cycle; all of a periodic surface, whose contact has no ends.
 std::optional<FatigueOfBody::Columns> FatigueOfBody::passed_columns() const
 {
+  if (grid_.surface.is_periodic_x())
+    return Columns{0, grid_.surface.nx};
   const double dx = grid_.surface.dx;
   const int first = static_cast<int>(std::ceil((first_x_ + half_ - x0_) / dx - 1e-6)),
             last = static_cast<int>(std::floor((last_x_ - half_ - x0_) / dx + 1e-6));
@@ -295,6 +303,7 @@ void FatigueOfBody::find_life(Result& result) const
   const auto middle = columns.begin() + static_cast<std::ptrdiff_t>(columns.size() / 2);
   std::nth_element(columns.begin(), middle, columns.end());
   const double reference = fatigue_.reference.value_or(*middle);
+  s.is_own_reference = !fatigue_.reference;
   if (s.stress_volume > 0.0 && reference > 0.0)
     s.life = std::pow(reference / s.stress_volume, 1.0 / fatigue_.weibull_slope);
 }
@@ -349,20 +358,24 @@ const FatigueOfBody::Result& FatigueOfBody::result() const
   if (grid_.size() > 0)
   {
     const FatigueCriterion criterion(fatigue_);
+    std::vector<float> slack(static_cast<std::size_t>(samples_.strips()) * static_cast<std::size_t>(grid_.surface.nx));
 #pragma omp parallel
     {
       Lanes lanes;
 #pragma omp for schedule(dynamic)
       for (int strip = 0; strip < samples_.strips(); ++strip)
       {
-        judge_strip(strip, criterion, lanes, found.fields);
+        judge_strip(strip, criterion, lanes, found.fields, slack);
         judge_strain(strip, found.fields);
       }
     }
     if (is_on_planes(criterion.kind()))
-      found.summary.judged_share = judge_worst(criterion, found.fields);
+    {
+      const double share = fatigue_.whole_map ? -std::numeric_limits<double>::infinity() : fatigue_map_share;
+      found.summary.judged_share = settle(candidates(true, slack, found.fields), share, criterion, found.fields);
+    }
     else if (has_criterion())
-      settle_worst(criterion, found.fields);
+      settle(candidates(false, slack, found.fields), 1.0, criterion, found.fields);
     summarise(found);
     copy_to_mirror_images(found.fields);
   }

@@ -134,7 +134,7 @@ void FatigueOfBody::begin_cycle(int cycle)
   cycle_ = cycle;
   first_x_ = std::numeric_limits<double>::infinity();
   last_x_ = -first_x_;
-  half_ = 0.0;
+  half_ = most_pressure_ = 0.0;
   shared_error_ = 0.0;
   samples_.restart();
   first_equivalent_ = equivalent_;
@@ -207,15 +207,12 @@ void FatigueOfBody::follow_strain(const elastoplastic::BodyView& view)
   {
     const std::size_t from = grid_.index(0, strip % rows, strip / rows),
                       to = static_cast<std::size_t>(strip) * static_cast<std::size_t>(nx);
-    float change = 0.0F; // a plain sum, which the compiler makes fast
-#pragma omp simd reduction(+ : change)
+    bool has_flowed = false; // a plain loop, which the compiler makes fast
+#pragma omp simd reduction(|| : has_flowed)
     for (std::size_t i = 0; i < static_cast<std::size_t>(nx); ++i)
-    {
-      const auto now = static_cast<float>(state.equivalent[from + i]);
-      change += std::abs(now - equivalent_[to + i]);
-      equivalent_[to + i] = now;
-    }
-    const bool has_flowed = change > 0.0F;
+      has_flowed = has_flowed || static_cast<float>(state.equivalent[from + i]) != equivalent_[to + i];
+    for (std::size_t i = 0; has_flowed && i < static_cast<std::size_t>(nx); ++i)
+      equivalent_[to + i] = static_cast<float>(state.equivalent[from + i]);
     for (std::size_t i = 0; has_flowed && i < static_cast<std::size_t>(nx); ++i)
       for (std::size_t c = 0; c < Deviator::size; ++c)
         strain_[(to + i) * Deviator::size + c] = static_cast<float>(state.plastic_strain[c * grid_.size() + from + i]);
@@ -233,6 +230,7 @@ void FatigueOfBody::add(int cycle, const Stepper::Present& present)
     begin_cycle(cycle);
   first_x_ = std::min(first_x_, present.centres[side_]);
   last_x_ = std::max(last_x_, present.centres[side_]);
+  most_pressure_ = std::max(most_pressure_, std::ranges::max(present.pair.pressure()));
   const std::optional<Columns> pressed = pressed_columns(present);
   const int nx = grid_.surface.nx;
   Columns columns{0, nx};
@@ -272,6 +270,7 @@ void FatigueOfBody::exchange(Archive& archive)
                                      {"first_x", &first_x_},
                                      {"last_x", &last_x_},
                                      {"half", &half_},
+                                     {"most_pressure", &most_pressure_},
                                      {"shared_error", &shared_error_},
                                      {"computed_fraction", &computed_.fraction}})
     archive(name, *number);

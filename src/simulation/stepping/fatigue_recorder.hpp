@@ -63,12 +63,19 @@ private:
   [[nodiscard]] const Result& result() const;
   struct Lanes;
   void gather(int strip, int first_column, Lanes& lanes) const;
-  void judge_strip(int strip, const constitutive::FatigueCriterion& criterion, Lanes& lanes,
-                   FatigueFields& fields) const;
+  void judge_strip(int strip, const constitutive::FatigueCriterion& criterion, Lanes& lanes, FatigueFields& fields,
+                   std::span<float> slack) const;
   void judge_strain(int strip, FatigueFields& fields) const;
-  double judge_worst(const constitutive::FatigueCriterion& criterion, FatigueFields& fields) const;
+  struct Candidate
+  {
+    double bound;
+    int strip, column;
+  };
+  [[nodiscard]] std::vector<Candidate> candidates(bool on_planes, const std::vector<float>& slack,
+                                                  FatigueFields& fields) const;
+  double settle(std::vector<Candidate> cells, double share, const constitutive::FatigueCriterion& criterion,
+                FatigueFields& fields) const;
   [[nodiscard]] double exact_utilisation(int strip, int column, const constitutive::FatigueCriterion& criterion) const;
-  void settle_worst(const constitutive::FatigueCriterion& criterion, FatigueFields& fields) const;
   void copy_to_mirror_images(FatigueFields& fields) const;
   void summarise(Result& result) const;
   void find_life(Result& result) const;
@@ -91,6 +98,7 @@ private:
   int cycle_ = 0;
   double first_x_ = 0.0, last_x_ = 0.0;  ///< least and largest position of the contact in the cycle [m]
   double half_ = 0.0;                    ///< largest half-length of the contact in the cycle [m]
+  double most_pressure_ = 0.0;           ///< in the cycle [Pa]
   mutable std::optional<Result> result_; ///< of the present state
 };
 

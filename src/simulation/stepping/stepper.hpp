@@ -138,7 +138,7 @@ public:
   [[nodiscard]] int split_increments() const { return split_increments_; }
   /// Fields of the present state; must not be used after the next step.
   [[nodiscard]] StepFields fields(const Centre& centre) const;
-  /// What those read that follow all cells from step to step; must not be used after the next step.
+  /// State for those that follow all cells from step to step; must not be used after the next step.
   struct Present
   {
     elastoplastic::CoupledContact& pair;

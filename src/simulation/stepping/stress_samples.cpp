@@ -29,6 +29,11 @@ Sample& StressSamples::add(int first, int count)
   Sample& sample = samples_.emplace_back();
   sample.first = first;
   sample.count = count;
+  if (!spare_.empty())
+  {
+    sample.values = std::move(spare_.back());
+    spare_.pop_back();
+  }
   sample.values.resize(size(count));
   return sample;
 }
@@ -62,7 +67,7 @@ float StressSamples::off_chord(const Sample& before, const Sample& here, const S
   return std::sqrt(std::max(0.0F, farthest));
 }
 
-/// What leaving out a sample would cost; samples beside it that are left out already lie near a hull that this one carries.
+/// Finds what leaving out a sample would cost; samples beside it that are left out already lie near a hull that this one carries.
 void StressSamples::find_cost(std::size_t n)
 {
   if (n > 0 && n + 1 < samples_.size())
@@ -89,14 +94,15 @@ void StressSamples::thin()
     stored -= least->values.size();
     (least + 1)->error = least->cost;
     (least - 1)->cost = (least + 1)->cost = -1.0F;
+    spare_.push_back(std::move(least->values));
     samples_.erase(least);
   }
 }
 
 void StressSamples::restart()
 {
-  if (samples_.size() > 1)
-    samples_.erase(samples_.begin(), samples_.end() - 1);
+  for (; samples_.size() > 1; samples_.erase(samples_.begin()))
+    spare_.push_back(std::move(samples_.front().values));
   for (Sample& sample : samples_)
   {
     sample.error = 0.0F;

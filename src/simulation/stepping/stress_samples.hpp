@@ -65,6 +65,7 @@ private:
 
   int columns_ = 0, rows_ = 0, layers_ = 0, numbers_ = 0;
   std::vector<Sample> samples_;
+  std::vector<std::vector<float>> spare_; ///< of samples that were left out, whose memory the next ones take
 };
 
 } // namespace brinell::simulation

@@ -232,6 +232,61 @@ TEST(Fatigue, TheBallOfARegularFigureIsItsCircle)
   EXPECT_NEAR(ball.centre[4], 0.0, 1e3);
 }
 
+double distance(const SymTensor& one, const SymTensor& other)
+{
+  SymTensor d;
+  for (std::size_t c = 0; c < d.size(); ++c)
+    d[c] = one[c] - other[c];
+  return std::sqrt(double_contraction(d, d));
+}
+
+// The largest distance is a convex function of the centre: where no small move makes it smaller, the ball is the smallest one.
+TEST(Fatigue, TheBallIsTheSmallestOneAroundAnyPath)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  const auto any = [&]
+  {
+    SymTensor s{normal(random), normal(random), 0.0, normal(random), normal(random), normal(random)};
+    s[2] = -s[0] - s[1];
+    return s;
+  };
+  const auto from = [](const SymTensor& start, double way, const SymTensor& along)
+  {
+    SymTensor s = start;
+    for (std::size_t c = 0; c < s.size(); ++c)
+      s[c] += way * along[c];
+    return s;
+  };
+  for (int kind = 0; kind < 40; ++kind)
+  {
+    const SymTensor first = any(), second = any(), third = any();
+    const int points = 1 + 3 * (kind / 4);
+    Path path;
+    for (int i = 0; i < points; ++i)
+      if (kind % 4 == 0) // anywhere
+        path.push_back(any());
+      else if (kind % 4 == 1) // on a line
+        path.push_back(from(first, normal(random), second));
+      else if (kind % 4 == 2) // on a plane, each point twice
+        path.insert(path.end(), 2, from(from(first, normal(random), second), normal(random), third));
+      else // on a sphere
+        path.push_back([&](const SymTensor& s)
+                       { return from(first, 1.0 / std::sqrt(double_contraction(s, s)), s); }(any()));
+    const DeviatorBall ball = enclosing_ball(path);
+    const auto farthest = [&](const SymTensor& centre)
+    {
+      double most = 0.0;
+      for (const SymTensor& s : path)
+        most = std::max(most, distance(s, centre));
+      return most;
+    };
+    EXPECT_NEAR(farthest(ball.centre), ball.radius, 1e-9) << kind;
+    for (int i = 0; i < 500; ++i)
+      EXPECT_GE(farthest(from(ball.centre, std::pow(10.0, -0.01 * i), any())), ball.radius * (1.0 - 5e-6)) << kind;
+  }
+}
+
 TEST(Fatigue, PrincipalShear)
 {
   EXPECT_NEAR(principal_shear({100e6, 0, 0, 0, 0, 0}), 50e6, 1.0);

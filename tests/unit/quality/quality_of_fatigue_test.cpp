@@ -89,6 +89,21 @@ TEST(Quality, FatigueOfAPathWithGapsAndOfTheSurface)
       0u);
 }
 
+TEST(Quality, FatigueOfATrackThatIsNoReferenceForItself)
+{
+  const auto long_life = [](bool is_own)
+  {
+    return [is_own](FatigueSummary& f)
+    {
+      f.life = 1.33;
+      f.is_own_reference = is_own;
+    };
+  };
+  EXPECT_NE(only_text(warnings_of(0, long_life(true)), "fatigue_reference").find("the life is 1.33"),
+            std::string::npos);
+  EXPECT_TRUE(warnings_of(0, long_life(false)).empty());
+}
+
 TEST(Quality, TheErrorOfTheOrthogonalShearIsOfSecondOrder)
 {
   const auto error_of = [](double resolution)
