@@ -266,8 +266,10 @@ std::string accuracy_text(const io::Accuracy& a)
     const quality::Convergence& n = a.numbers.at(name);
     const auto number = [](double x, const char* form)
     { return std::isnan(x) ? "-" : fmt::format(fmt::runtime(form), x); };
+    // The error refers to the largest number of the same unit, where this one is small beside it.
+    const bool is_lost = n.low < 0.0 && n.high > 0.0 && n.relative_error > a.asked;
     text += fmt::format("{:<28} {:>13.6e} {:>8} {:>6} {:>13}   {:>13.6e} .. {:<13.6e}\n", name, n.value,
-                        quality::percent_text(n.relative_error), number(n.order, "{:.2g}"),
+                        is_lost ? ">100 %" : quality::percent_text(n.relative_error), number(n.order, "{:.2g}"),
                         number(n.extrapolated, "{:.6e}"), n.low, n.high);
   }
   for (const std::string& name : a.key_numbers)

@@ -6,6 +6,7 @@ Exit code 0: done; 2: the request or a file is wrong, and one line on the standa
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -269,6 +270,7 @@ def _table(heightmap: HeightMap) -> str:
         ("Spk", f"{heightmap.Spk:.6g} m", "reduced height of the peaks above the core"),
         ("Svk", f"{heightmap.Svk:.6g} m", "reduced depth of the valleys below it"),
         ("Sdq", f"{heightmap.Sdq:.6g}", "root mean square slope"),
-        ("curvature", f"{heightmap.rms_curvature:.6g} 1/m", "root mean square of the mean curvature"),
     ]
+    if math.isfinite(heightmap.rms_curvature):  # fewer than three points along an axis have none
+        rows.append(("curvature", f"{heightmap.rms_curvature:.6g} 1/m", "root mean square of the mean curvature"))
     return "\n".join(f"{name:<10} {value:<28} {text}".rstrip() for name, value, text in rows)

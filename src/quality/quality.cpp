@@ -50,7 +50,8 @@ std::string errors_text(const std::vector<ExpectedError>& errors, bool measured)
   std::string text;
   for (const ExpectedError& e : errors)
     if (e.measured.has_value() == measured)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", percent_text(e.best()), e.quantity);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", e.best() > 1.0 ? ">100 %" : percent_text(e.best()),
+                          e.quantity);
   return text;
 }
 

@@ -123,5 +123,7 @@ def accuracies_of(run: Run) -> list[Interval]:
             for value in (one.value, one.extrapolated, one.low, one.high)
         ]
         order = "–" if one.order is None else text.number(one.order, 2)
-        found.append(Interval(name, shown[0], text.percent(one.relative_error), order, *shown[1:]))
+        is_lost = one.low < 0.0 < one.high and one.relative_error > (run.summary or {})["accuracy"]["asked"]
+        error = "> 100 %" if is_lost else text.percent(one.relative_error)
+        found.append(Interval(name, shown[0], error, order, *shown[1:]))
     return found

@@ -59,7 +59,7 @@ inline constexpr std::array<Factor, 21> of_amounts{{
     {"cells of a line", 77.71},
     {"cells of a line, of nonlinear laws", 35.39},
     {"contact", 1.302},
-    {"contact of rough surfaces", 0},
+    {"contact of elastic bodies", 4.2},
     {"contact under friction", 13.3},
     {"contact that sticks", 19.24},
     {"friction", 4.096e-05},
