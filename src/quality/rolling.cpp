@@ -17,13 +17,13 @@ namespace
 // docs/verification/accuracy.md (expected error)
 constexpr Documented rut{.quantity = "rut",
                          .name = "passes[*].rut_depth_m",
-                         .error = 0.06,
+                         .error = 0.085,
                          .cells = 4.0,
                          .order = 1.5,
                          .of = Documented::Of::contact,
                          .of_steps = 0.3,
                          .is_of_lower = true,
-                         .on_textures = 2.5};
+                         .on_textures = 1.8};
 /// The rut of a line contact is the small difference of large strains, of first order: the more so the larger the shear.
 constexpr Documented rut_of_line{.quantity = "rut",
                                  .name = "passes[*].rut_depth_m",
@@ -45,12 +45,11 @@ constexpr Documented rut_of_sliding_line{.quantity = "rut",
                                          .on_textures = 3.0};
 constexpr Documented resistance_to_rolling{.quantity = "resistance",
                                            .name = "passes[*].resistance_N",
-                                           .error = 0.08,
+                                           .error = 0.165,
                                            .cells = 4.0,
                                            .order = 1.5,
                                            .of = Documented::Of::contact,
-                                           .of_steps = 1.0,
-                                           .on_textures = 1.3};
+                                           .of_steps = 1.0};
 constexpr Documented dissipation{.quantity = "dissipation",
                                  .name = "passes[*].dissipation_J",
                                  .error = 0.09,
@@ -242,7 +241,7 @@ bool hardly_sinks(const RollingSummary& summary)
 std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vector<RollingPass>& passes)
 {
   // Limit for the relative difference of both quarters. Each then differs from their mean by about 16 %, which is twice the usual
-  // discretization error of resistance and dissipation, 8 %.
+  // discretization error of the dissipation, 8 %.
   constexpr double largest_unsteadiness = 0.3;
   const auto worst = std::max_element(passes.begin(), passes.end(),
                                       [](const RollingPass& a, const RollingPass& b)
