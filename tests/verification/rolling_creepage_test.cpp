@@ -134,6 +134,28 @@ TEST(RollingCreepage, BallsFollowKalker)
   }
 }
 
+// Without slip the shear has no end at the trailing edge, where its moment has the longest lever: the error is that of the place of the
+// edge between two cells, of either sign.
+TEST(RollingCreepage, AMomentScattersWithTheEdge)
+{
+  constexpr double C32 = 1.47; // nu = 1/4 (Kalker 1967)
+  const PairOfBalls balls{0.25};
+  const double small = 1e-3 * balls.saturation(4.0), a = PairOfBalls::a;
+  double sum = 0.0, largest = 0.0;
+  const std::vector<double> meshes{7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 10.0};
+  for (const double cells : meshes)
+  {
+    const RollingCase c = balls.rolling(cells, {0.0, small, 0.0}, 10.0);
+    const double error = -at_the_end(c, computed(c)).M_z / (PairOfBalls::G * a * a * a * small) / C32 - 1.0;
+    sum += error;
+    largest = std::max(largest, std::abs(error));
+  }
+  test::expect_close("moment of a lateral creepage: C32 over the table's, mean of 7 to 10 cells",
+                     1.0 + sum / static_cast<double>(meshes.size()), 1.0, 0.03, "table: Kalker (1967)");
+  test::expect_close("moment of a lateral creepage: C32, largest error with 7 to 10 cells", largest, 0.0, 0.5 / 7.0,
+                     "half a cell at the trailing edge");
+}
+
 TEST(RollingCreepage, StickShareIsWithinItsExpectedError)
 {
   for (const double share : {0.1, 0.3, 0.6}) // of the creepage from which on all slips
