@@ -204,7 +204,8 @@ std::vector<double> Constriction::temperature(std::span<const double> pressure, 
   std::vector<double> difference(cells);
   for (std::size_t i = 0; i < cells; ++i)
     difference[i] = without_source(upper, i) + by_source[i] / upper.conductivity - without_source(lower, i);
-  heat_into_lower_.resize(cells);
+  // Not from the last contact, which a run that goes on from a checkpoint does not know.
+  heat_into_lower_.assign(cells, 0.0);
   const double scale = 0.5 * modulus_ * (1.0 / lower.conductivity + 1.0 / upper.conductivity);
   for (double& value : difference)
     value /= scale;

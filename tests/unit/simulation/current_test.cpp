@@ -87,7 +87,7 @@ TYPED_TEST(CurrentTest, GoesOnFromACheckpointToTheLastDigit)
   TypeParam c = conducting<TypeParam>();
   c.upper.material.electrical = bronze;
   c.current = {.voltage = {0.01, 0.05, 0.02}, .steps = {1.0, 4.0, 30.0}, .film = {.resistance = 1e-13}};
-  if constexpr (!std::is_same_v<TypeParam, IndentationCase>)
+  if constexpr (!std::is_same_v<TypeParam, IndentationCase> && !std::is_same_v<TypeParam, RollingCase>) // which slide
     c.current.film.growth = 1e-9;
   simulation::Run<TypeParam> whole(c);
   std::vector<Archive::Fields> checkpoints;
