@@ -25,9 +25,9 @@ def indentation(yield_stress, modulus):
     return brinell.Indentation(
         lower=brinell.Body(brinell.Flat(), steel),
         upper=brinell.Body(brinell.Sphere("1 mm"), brinell.RIGID),
-        load=["600 N", 0],
-        steps=8,
-        grid={"resolution": 4},
+        load=["1 kN", 0],
+        steps=12,
+        grid={"resolution": 8},
     )
 
 
@@ -47,7 +47,7 @@ curve = Data(depth, load, name="ball", noise="1 %")
 result = brinell.fit(
     indentation("1 GPa", "2 GPa"),
     [
-        Unknown("lower.material.hardening.yield_stress", "300 MPa", "3 GPa"),
+        Unknown("lower.material.hardening.yield_stress", "500 MPa", "2 GPa"),
         Unknown("lower.material.hardening.modulus", "1 GPa", "60 GPa", name="hardening modulus"),
     ],
     curve,
@@ -72,8 +72,8 @@ plt.show()
 # %%
 # How well the unknowns are known
 # -------------------------------
-# Those that the data determine: the narrow band is the interval by scatter, the wide one that with the error of the cells. A lower
-# yield stress with more hardening gives nearly the same curve, so that the hardening is left out here.
+# The narrow bands are the intervals by scatter, the wide ones those with the error of the cells. The ellipse is long and thin: a lower
+# yield stress with more hardening gives nearly the same curve. A second ball, or a pyramid, would cut it short.
 
 brinell.plot.fit_corner(result, ax=plt.figure(figsize=(5.5, 5.0), layout="constrained"))
 plt.show()

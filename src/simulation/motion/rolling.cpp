@@ -171,7 +171,7 @@ private:
   void read_shear(const Stepper& stepper, RollingRecord& r)
   {
     const SurfaceGrid& grid = stepper.pair().grid();
-    const halfspace::SurfaceLoad load = stepper.load();
+    const halfspace::SurfaceLoad load = surface_load(stepper.pair());
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i)
       {

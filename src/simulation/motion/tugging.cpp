@@ -198,7 +198,7 @@ private:
   /// Whether the bodies do not touch, and will not touch on the rest of the pass.
   [[nodiscard]] bool have_parted(Stepper& stepper) const
   {
-    if (stepper.touching())
+    if (touches(stepper.pair()))
       return false;
     const int last = passing_.start(0).index + passing_.step_count() + lead_;
     for (Position p = position_; p.index < last;)
@@ -215,7 +215,7 @@ private:
     const Position& p = position_;
     const Stepper::Depths& depths = stepper.loaded_depths(centre(p));
     const Forces forces =
-        project_forces(stepper.pair().grid(), stepper.load(), p.theta, {depths.lower, passing_.radius_lower() / sum_},
+        project_forces(stepper.pair().grid(), surface_load(stepper.pair()), p.theta, {depths.lower, passing_.radius_lower() / sum_},
                        {depths.upper, passing_.radius_upper() / sum_});
     r.interference = case_.load ? stepper.pair().approach() : p.interference;
     r.theta = p.theta;

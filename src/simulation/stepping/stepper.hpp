@@ -125,15 +125,12 @@ public:
   /// Depths plus the elastic normal displacement under the shear of the last step: the surfaces on which the pressure acts. For
   /// surfaces that may stick all of it is added to the lower surface, which is equivalent, as the contact moves equally on both.
   [[nodiscard]] const Depths& loaded_depths(const Centre& centre);
-  /// Pressure and shear of the last step [Pa].
-  [[nodiscard]] halfspace::SurfaceLoad load() const;
   /// Work of the shear on the deformation of both surfaces in the last step [J].
   [[nodiscard]] double shear_work() const { return shear_work_; }
   /// Force along x of the shear with which the surfaces slid at the beginning of the last step, on the lower body [N].
   [[nodiscard]] double shear_force_at_start() const { return shear_force_at_start_.value_or(0.0); }
   /// Smallest (at most 0) and largest (at least 0) residual displacement of the lower body under the contact grid [m].
   [[nodiscard]] std::pair<double, double> residual_range(const Centre& centre) const;
-  [[nodiscard]] bool touching() const;
   [[nodiscard]] const elastoplastic::CoupledContact& pair() const { return *pair_; }
   [[nodiscard]] int split_increments() const { return split_increments_; }
   /// Fields of the present state; must not be used after the next step.
@@ -186,6 +183,11 @@ private:
   std::vector<GridChange> grid_changes_;
   Coverage coverage_;
 };
+
+/// Pressure and shear of the last step [Pa].
+[[nodiscard]] halfspace::SurfaceLoad surface_load(const elastoplastic::CoupledContact& pair);
+/// Whether a cell of the contact grid bears pressure.
+[[nodiscard]] bool touches(const elastoplastic::CoupledContact& pair);
 
 /// Setup of a case, whose surfaces slide everywhere; `start` as in the setup.
 /// @param heat_times  of heated bodies

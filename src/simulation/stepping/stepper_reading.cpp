@@ -61,12 +61,12 @@ const Stepper::Depths& Stepper::loaded_depths(const Centre& centre)
   return depths_;
 }
 
-halfspace::SurfaceLoad Stepper::load() const
+halfspace::SurfaceLoad surface_load(const elastoplastic::CoupledContact& pair)
 {
-  if (pair_->interface() == nullptr)
-    return {.pressure = pair_->pressure()};
-  const auto [shear_x, shear_y] = pair_->interface()->shears();
-  return {.pressure = pair_->pressure(), .shear_x = shear_x, .shear_y = shear_y};
+  if (pair.interface() == nullptr)
+    return {.pressure = pair.pressure()};
+  const auto [shear_x, shear_y] = pair.interface()->shears();
+  return {.pressure = pair.pressure(), .shear_x = shear_x, .shear_y = shear_y};
 }
 
 std::pair<double, double> Stepper::residual_range(const Centre& centre) const
@@ -87,9 +87,9 @@ std::pair<double, double> Stepper::residual_range(const Centre& centre) const
   return range;
 }
 
-bool Stepper::touching() const
+bool touches(const elastoplastic::CoupledContact& pair)
 {
-  return std::any_of(pair_->pressure().begin(), pair_->pressure().end(), [](double p) { return p > 0.0; });
+  return std::any_of(pair.pressure().begin(), pair.pressure().end(), [](double p) { return p > 0.0; });
 }
 
 void Stepper::fill(StepRecord& r) const
