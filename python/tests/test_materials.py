@@ -250,7 +250,7 @@ def test_constants_of_heat_stand_in_the_case() -> None:
     ball = brinell.Sphere("1 mm")
     lower = brinell.Body(ball, Material("210 GPa", 0.3, thermal=heat))
     upper = brinell.Body(ball, Material(float("inf"), 0.0, thermal=Thermal(30, 3200, 700, temperature=50)))
-    with pytest.warns(brinell.CaseWarning, match="has no effect: no heat is computed"):
+    with pytest.warns(brinell.CaseWarning, match="has no effect on the contact: no heat is computed"):
         case = brinell.Indentation(lower, upper, load=["1 N"], steps=1)
     table = tomllib.loads(case.to_toml())
     constants = {"conductivity": 50.0, "density": 7850.0, "specific_heat": 460.0, "expansion": 12e-6}

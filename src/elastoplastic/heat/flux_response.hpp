@@ -9,6 +9,7 @@
 #include <list>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -25,9 +26,10 @@ public:
   /// @param swells         whether the displacement is needed
   /// @param reference      reference distance of the displacement by a stationary steady flux [m]
   /// @param along_surface  HeatNumerics::along_surface
-  FluxResponse(const SurfaceGrid& contact, const constitutive::Material& material, bool swells,
+  FluxResponse(const SurfaceGrid& contact, constitutive::Material material, bool swells,
                std::optional<double> reference, bool along_surface)
-      : contact_(contact), material_(material), swells_(swells), reference_(reference), along_surface_(along_surface)
+      : contact_(contact), material_(std::move(material)), swells_(swells), reference_(reference),
+        along_surface_(along_surface)
   {
   }
 

@@ -18,6 +18,7 @@ SpotSoftening::SpotSoftening(const SurfaceGrid& contact, const std::array<Volume
       continue;
     laws_[side] = &*material.softening;
     std::vector<double> depths;
+    depths.reserve(static_cast<std::size_t>(grids[side].nz));
     for (int k = 0; k < grids[side].nz; ++k)
       depths.push_back((k + 0.5) * grids[side].dz);
     fields_[side] =

@@ -50,7 +50,7 @@ public:
   {
     if (done_ == 0)
     {
-      const double touch = stepper.clearance({});
+      const double touch = stepper.distances({}).smallest;
       from_ = by_load() ? 0.0 : std::min(0.0, touch);
       meter_.begin(0.0, touch);
     }
@@ -74,7 +74,7 @@ public:
   {
     r.cycle = cycle();
     r.pass = std::max(1, r.cycle);
-    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance({});
+    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.distances({}).smallest;
     r.work += meter_.to({.approach = r.approach, .F_n = r.F_n}).drive;
     const elastoplastic::PartialSlip* slip = stepper.pair().partial_slip();
     if (slip != nullptr)

@@ -83,7 +83,7 @@ public:
     r.pile_up = -highest;
     if (done_ % steps_per_indent() == 0)
       begun_ = before.work;
-    trapezoid_ += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.clearance(here));
+    trapezoid_ += current_.add(r, r.F_n > 0.0 ? 0.0 : stepper.distances(here).smallest);
     // While nothing has yielded, all of the work is stored: exact for any number of steps.
     const bool is_elastic = r.dissipation_lower == 0.0 && r.dissipation_upper == 0.0;
     r.work = is_elastic ? r.energy_elastic : trapezoid_;

@@ -52,13 +52,13 @@ public:
     if (step_in_pass_ == 0)
     {
       track_.begin_pass(stepper.pair().lower().solved());
-      meter_.begin(moment(0.0).x, stepper.clearance(from));
+      meter_.begin(moment(0.0).x, stepper.distances(from).smallest);
     }
     if (step_in_pass_ == 0 || step_in_pass_ == case_.load_steps + plan_.rolling_steps)
-      touch_ = by_load() ? 0.0 : std::min(stepper.clearance(from), case_.drive.value);
+      touch_ = by_load() ? 0.0 : std::min(stepper.distances(from).smallest, case_.drive.value);
     const double to = moment(step_in_pass_ + 1).x;
     if (step_in_pass_ + 1 == steps_per_pass()) // lifting off, from the surfaces with their residual displacement
-      touch_ = by_load() ? 0.0 : std::min(touch_, stepper.clearance(centre(to)));
+      touch_ = by_load() ? 0.0 : std::min(touch_, stepper.distances(centre(to)).smallest);
     const bool moves = is_rolling();
     const auto path = [this, moves](double t)
     {
@@ -83,7 +83,7 @@ public:
     r.x = moment(step_in_pass_ + 1).x;
     const Centre here = centre(r.x);
     const Stepper::Depths& depths = stepper.loaded_depths(here);
-    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.clearance(here);
+    r.approach = r.F_n > 0.0 ? stepper.pair().approach() : stepper.distances(here).smallest;
     r.F_X = rolling_resistance(stepper.pair().grid(), stepper.pair().pressure(), depths.lower, depths.upper, share_);
     const double sliding_force = (1.0 - share_) * (share_ < 1.0 ? r.F_friction : -r.F_friction);
     r.F_X += sliding_force;

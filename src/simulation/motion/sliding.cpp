@@ -74,7 +74,7 @@ public:
     r.way = before.way + (moves ? plan_.shift : 0.0);
     const Centre here = centre(r.slid);
     // After parting the approach is that of surfaces that just touch. Before, peaks may still be approaching each other.
-    r.approach = r.F_n > 0.0 || done_ < last() ? stepper.pair().approach() : stepper.clearance(here);
+    r.approach = r.F_n > 0.0 || done_ < last() ? stepper.pair().approach() : stepper.distances(here).smallest;
     read_period(stepper.pair(), r);
     read_patches(stepper.pair(), r);
     r.F_ploughing = sign * ploughing(stepper, here);

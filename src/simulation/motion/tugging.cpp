@@ -176,7 +176,7 @@ private:
   /// Whether the surfaces, with textures and residual displacements, would overlap at a position.
   [[nodiscard]] bool overlap(Stepper& stepper, const Position& p) const
   {
-    return stepper.clearance(centre(p)) < p.interference;
+    return stepper.distances(centre(p)).smallest < p.interference;
   }
 
   /// First position of a pass: far enough back that the surfaces do not touch yet.
@@ -215,8 +215,8 @@ private:
     const Position& p = position_;
     const Stepper::Depths& depths = stepper.loaded_depths(centre(p));
     const Forces forces =
-        project_forces(stepper.pair().grid(), surface_load(stepper.pair()), p.theta, {depths.lower, passing_.radius_lower() / sum_},
-                       {depths.upper, passing_.radius_upper() / sum_});
+        project_forces(stepper.pair().grid(), surface_load(stepper.pair()), p.theta,
+                       {depths.lower, passing_.radius_lower() / sum_}, {depths.upper, passing_.radius_upper() / sum_});
     r.interference = case_.load ? stepper.pair().approach() : p.interference;
     r.theta = p.theta;
     r.X = case_.load ? (sum_ - r.interference) * std::sin(p.theta) : p.X;

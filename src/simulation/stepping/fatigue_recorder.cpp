@@ -94,7 +94,8 @@ Sample FatigueOfBody::untouched(const VolumeGrid& grid) const
   const int rows = one.rows();
   for (int strip = 0; strip < one.strips(); ++strip)
   {
-    const double stress = body_.material.initial_stress.at((strip / rows + 0.5) * grid.dz, 0.0); // xx and yy
+    const int layer = strip / rows;
+    const double stress = body_.material.initial_stress.at((layer + 0.5) * grid.dz, 0.0); // xx and yy
     float* numbers = sample.values.data() + (one.strip(sample, strip) - sample.values.data());
     for (const auto& [n, value] : {std::pair{0, stress / 3.0}, {1, stress / 3.0}, {5, 2.0 * stress / 3.0}})
       std::fill_n(numbers + n * sample.count, sample.count, static_cast<float>(value));

@@ -109,7 +109,6 @@ public:
     double smallest = 0.0, mean = 0.0;
   };
   [[nodiscard]] Distances distances(const Centre& centre);
-  [[nodiscard]] double clearance(const Centre& centre) { return distances(centre).smallest; }
   /// Position of contact column 0 relative to the contact's centre [m].
   [[nodiscard]] double left_of(const Centre& centre) const { return lattice_.frame(centre).x0; }
   /// Fills the columns that all scenarios have.
