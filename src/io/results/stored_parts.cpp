@@ -36,12 +36,12 @@ std::string_view word_of(std::string_view name)
   return word;
 }
 
-constexpr std::array within{"stress",      "von_mises_stress", "plastic_strain", "equivalent_plastic_strain",
-                            "temperature", "fatigue"};
+constexpr std::array fields_within{"stress",      "von_mises_stress", "plastic_strain", "equivalent_plastic_strain",
+                                   "temperature", "fatigue"};
 
 bool is_within(std::string_view field)
 {
-  return std::ranges::find(within, field) != within.end();
+  return std::ranges::find(fields_within, field) != fields_within.end();
 }
 
 /// Indices of cells along an axis, evenly spaced.
@@ -196,7 +196,7 @@ const std::vector<std::string>& field_words()
   static const std::vector<std::string> words = []
   {
     std::vector<std::string> all{"all", "surface"};
-    all.insert(all.end(), within.begin(), within.end());
+    all.insert(all.end(), fields_within.begin(), fields_within.end());
     const auto add = [&](const auto& fields)
     {
       for (const auto& field : fields)
