@@ -113,13 +113,14 @@ public:
   double evaluate(const Interaction& /*trial*/) override { return 0.0; }
   /// Finds film, resistance and current of the contact.
   void settle(const Interaction& found, const Placement& placement) override;
+  void restore() override;
   void commit(const Interaction& found, const Placement& placement) override;
   [[nodiscard]] bool heats() const override { return drive_.drives(); }
   /// Whether the steady temperature around the spots softens a body: without a film, on open grids, under a current.
   [[nodiscard]] static bool softens(const constitutive::Material& material, const CurrentDrive& drive,
                                     const SurfaceGrid& contact);
   bool renews_softening(const Interaction& found, const Placement& placement, int turn) override;
-  [[nodiscard]] std::span<const double> softening(std::size_t side) const override { return state_.softening.at(side); }
+  [[nodiscard]] std::span<const double> softening(std::size_t side) const override { return softening_.at(side); }
   /// Density of the current times the voltage: the heat of the constriction in both bodies, and of the film.
   [[nodiscard]] std::span<const double> heat() const override { return heat_; }
   /// Density of the current, mean over each cell of the contact grid [A/m^2].
@@ -184,6 +185,8 @@ private:
   State state_;
   Film::State film_state_;
   // Of the current increment
+  std::array<std::vector<double>, 2> softening_; ///< see State
+  double softening_error_ = 0.0;
   State next_; ///< end of the increment
   Film::State next_film_;
   std::vector<double> film_; ///< [ohm m^2], on the contact grid; empty: none

@@ -95,6 +95,8 @@ public:
   }
   /// Factors on the yield stress of the lower (0) or upper (1) body in the increment, one per cell; empty: none.
   [[nodiscard]] virtual std::span<const double> softening(std::size_t /*side*/) const { return {}; }
+  /// After a failed increment: forgets what was found in it.
+  virtual void restore() {}
   /// Ends an increment: its history goes on from this interaction. It must not fail for reasons that a user can mend; the grids
   /// hold all pressure.
   virtual void commit(const Interaction& found, const Placement& placement) = 0;

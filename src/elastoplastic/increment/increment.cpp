@@ -15,16 +15,6 @@ namespace brinell::elastoplastic
 namespace
 {
 
-void restore_trial(ContactParts& c)
-{
-  for (Side& side : c.sides)
-    side.body.restore();
-  if (c.interface)
-    c.interface->restore();
-  if (c.heating)
-    c.heating->restore();
-}
-
 /// Restores the state before the increment on destruction, unless the increment was committed.
 class Rollback
 {
@@ -34,13 +24,25 @@ public:
   {
     if (committed_)
       return;
-    c_.state = std::move(state_);
+    rewind();
     c_.window_error = window_error_;
-    restore_trial(c_);
+    for (const std::unique_ptr<Effect>& effect : c_.effects)
+      effect->restore();
   }
   Rollback(const Rollback&) = delete;
   Rollback& operator=(const Rollback&) = delete;
   void commit() { committed_ = true; }
+  /// Returns to the state before the increment; what effects have found stays.
+  void rewind()
+  {
+    c_.state = state_;
+    for (Side& side : c_.sides)
+      side.body.restore();
+    if (c_.interface)
+      c_.interface->restore();
+    if (c_.heating)
+      c_.heating->restore();
+  }
 
 private:
   ContactParts& c_;
@@ -85,7 +87,7 @@ void begin(ContactParts& c, const Task& task)
 
 /// Iterates an increment, and repeats it until the softening by the effects fits its end. Where the heat of the bodies is computed,
 /// that softens them.
-IncrementReport solve(ContactParts& c, const Task& task)
+IncrementReport solve(ContactParts& c, const Task& task, Rollback& rollback)
 {
   int evaluations = 0;
   for (int turn = 0;; ++turn)
@@ -96,7 +98,7 @@ IncrementReport solve(ContactParts& c, const Task& task)
     report.evaluations = evaluations;
     if (!report.converged || c.heating || !renews_softening(c, task.placement, turn))
       return report;
-    restore_trial(c);
+    rollback.rewind();
     if (c.interface)
       begin_friction(c, task);
   }
@@ -144,7 +146,7 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   if (c.interface)
     begin_friction(c, task);
   Rollback rollback(c);
-  IncrementReport report = solve(c, task);
+  IncrementReport report = solve(c, task, rollback);
   if (!report.converged)
     return report;
   report.outgrown = outgrown(c);

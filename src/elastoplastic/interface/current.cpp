@@ -81,7 +81,7 @@ bool Current::renews_softening(const Interaction& found, const Placement& placem
   {
     const std::vector<double> now = spot_softening_->factors(side, side == 0 ? placement.lower : placement.upper,
                                                              flow.density.empty() ? none : flow.density, bodies_, *hot);
-    std::vector<double>& factors = state_.softening[side];
+    std::vector<double>& factors = softening_[side];
     factors.resize(now.size(), 1.0);
     // Under a current softer spots are larger and cooler: half of the change in later turns, so that it cannot swing.
     const double share = turn < first_turns ? 1.0 : 0.5;
@@ -93,8 +93,14 @@ bool Current::renews_softening(const Interaction& found, const Placement& placem
   }
   if (turn < most_turns)
     return change > tolerance;
-  state_.softening_error = std::max(state_.softening_error, change);
+  softening_error_ = std::max(softening_error_, change);
   return false;
+}
+
+void Current::restore()
+{
+  softening_ = state_.softening;
+  softening_error_ = state_.softening_error;
 }
 
 void Current::begin(const Interaction& /*before*/)
@@ -109,6 +115,8 @@ void Current::begin(const Interaction& /*before*/)
 void Current::settle(const Interaction& found, const Placement& placement)
 {
   next_ = state_;
+  next_.softening = softening_;
+  next_.softening_error = softening_error_;
   next_film_ = film_state_;
   film_law_.advance(
       next_film_, found, placement,
@@ -255,6 +263,7 @@ void Current::exchange(Archive& archive)
 {
   exchange_members(archive, state_);
   exchange_members(archive, film_state_);
+  restore();
 }
 
 void Current::embed(const Effect& smaller_grids)
@@ -268,6 +277,7 @@ void Current::embed(const Effect& smaller_grids)
     field->assign(grid_.size(), 0.0);
   if (!smaller.state_.density.empty()) // the heat of the increment that follows begins with it; the guess is found anew
     embed_field(smaller.grid_, smaller.state_.density, grid_, state_.density);
+  restore();
 }
 
 } // namespace brinell::elastoplastic

@@ -7,7 +7,8 @@ namespace brinell::elastoplastic
 namespace
 {
 
-struct Between
+/// Where an effect acts.
+struct Site
 {
   const halfspace::SurfaceCompliance& compliance;
   const VolumeGrid &lower, &upper;
@@ -31,22 +32,22 @@ struct Kind
 {
   std::string_view name;
   bool (*acts)(const Effects&, const Current::Materials&);
-  std::unique_ptr<Effect> (*make)(const Effects&, const Between&);
+  std::unique_ptr<Effect> (*make)(const Effects&, const Site&);
 };
 
 constexpr std::array kinds{
     Kind{"wear", [](const Effects& s, const Current::Materials&) { return s.wear.wears(); },
-         [](const Effects& s, const Between& b) -> std::unique_ptr<Effect>
+         [](const Effects& s, const Site& b) -> std::unique_ptr<Effect>
          { return std::make_unique<Wear>(b.compliance.grid(), b.lower.surface, b.upper.surface, s.wear, b.modulus); }},
     Kind{"current", [](const Effects&, const Current::Materials& materials) { return Current::flows(materials); },
-         [](const Effects& s, const Between& b) -> std::unique_ptr<Effect>
+         [](const Effects& s, const Site& b) -> std::unique_ptr<Effect>
          {
            return std::make_unique<Current>(b.compliance, b.lower, b.upper, b.modulus, b.materials, s.current,
                                             b.other<Wear>());
          }},
     Kind{"conduction",
          [](const Effects&, const Current::Materials& materials) { return Conduction::is_known(materials); },
-         [](const Effects&, const Between& b) -> std::unique_ptr<Effect>
+         [](const Effects&, const Site& b) -> std::unique_ptr<Effect>
          { return std::make_unique<Conduction>(b.compliance, b.modulus, b.materials, b.other<Current>()); }},
 };
 

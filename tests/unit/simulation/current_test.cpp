@@ -114,6 +114,45 @@ TYPED_TEST(CurrentTest, GoesOnFromACheckpointToTheLastDigit)
   }
 }
 
+/// Bodies so hard that nothing yields, whose spots soften by a fifth: the increments are solved again with new softening, which
+/// must begin from the state before them.
+TYPED_TEST(CurrentTest, SofteningOfWhatDoesNotYieldChangesNothing)
+{
+  TypeParam c = conducting<TypeParam>();
+  for (ShapedBody* body : {&c.lower, &c.upper})
+    if (!body->material.elastic.is_rigid())
+    {
+      body->material.hardening = constitutive::PerfectPlasticity{1e13};
+      body->material.kinematic = {};
+      body->material.softening = constitutive::LinearSoftening{.reference = 20.0, .melting_point = 1000.0};
+      body->material.thermal.reset();
+    }
+  c.solver.mirror = false; // bodies of unlike resistivities are no twins
+  c.current.voltage = {0.1};
+  c.friction.coefficient = 0.2;
+  if constexpr (std::is_same_v<TypeParam, IndentationCase>)
+    c.friction.coefficient = 0.0;
+  else
+    c.wear = {.lower = 1e-15, .upper = 2e-15};
+  if constexpr (std::is_same_v<TypeParam, RollingCase>)
+    c.slide_to_roll = 0.02;
+  TypeParam without = c;
+  without.current = {};
+  without.lower.material.electrical.reset();
+  const auto rows = rows_of(c), plain = rows_of(without);
+  ASSERT_EQ(rows.size(), plain.size());
+  double hottest = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    EXPECT_EQ(rows[i].F_n, plain[i].F_n) << i;
+    EXPECT_EQ(rows[i].work, plain[i].work) << i;
+    EXPECT_EQ(rows[i].dissipation_friction, plain[i].dissipation_friction) << i;
+    EXPECT_EQ(rows[i].worn_volume_upper, plain[i].worn_volume_upper) << i;
+    hottest = std::max(hottest, rows[i].contact_temperature);
+  }
+  EXPECT_GT(hottest, 150.0);
+}
+
 TYPED_TEST(CurrentTest, IsTheSameOnBothSidesOfAMirror)
 {
   TypeParam c = conducting<TypeParam>();
