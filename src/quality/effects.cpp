@@ -26,10 +26,19 @@ constexpr Documented contact_resistance{.quantity = "contact resistance",
                                         .name = "current.min_resistance_ohm",
                                         .error = 0.03,
                                         .cells = 5.0,
-                                        .order = 1.5,
+                                        .order = 1.0,
                                         .of = Documented::Of::elastic_contact,
                                         .of_steps = 0.05,
-                                        .on_textures = 0.5};
+                                        .on_textures = 0.9};
+
+/// Error of the conductance, found by the same operator.
+Documented contact_conductance(const Facts& /*facts*/)
+{
+  Documented conductance = contact_resistance;
+  conductance.quantity = "thermal contact conductance";
+  conductance.name = "conduction.conductance_W_K";
+  return conductance;
+}
 
 /// Error of the worn depth, which goes with the slip.
 Documented worn_depth(const Facts& f)
@@ -127,7 +136,8 @@ struct Judged
 
 constexpr std::array judged_effects{
     Judged{"wear", worn_depth, warn_of_wear},
-    Judged{"current", [](const Facts&) { return contact_resistance; }, warn_of_current}};
+    Judged{"current", [](const Facts&) { return contact_resistance; }, warn_of_current},
+    Judged{"conduction", contact_conductance, [](const Facts&, const RunTotals&, std::vector<Warning>&) {}}};
 
 } // namespace
 

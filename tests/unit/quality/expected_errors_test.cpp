@@ -5,10 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace brinell::quality::expected_errors_test
 {
@@ -48,6 +50,24 @@ TEST(ExpectedErrors, OfHardnessCoverTheScatterOfTheArea)
   const double coarse = stated_error(quality::expected(c, plan(c)), "hardness");
   c.resolution = 30.0;
   EXPECT_LE(stated_error(quality::expected(c, plan(c)), "hardness"), 0.3 * coarse) << "of first order";
+}
+
+TEST(ExpectedErrors, OfTheResistanceAreOfFirstOrderWhereBodiesYield)
+{
+  IndentationCase c = indent(Paraboloid{1e-3, 1e-3});
+  c.lower.material.electrical = c.upper.material.electrical = constitutive::Electrical{1e-7, 0.0};
+  c.lower.material.thermal = c.upper.material.thermal = Thermal{50.0, 7850.0, 460.0, 1.2e-5};
+  // Measured of a ball that yields (docs/verification/accuracy.md, contact conductance).
+  constexpr std::array<std::pair<double, double>, 6> found{
+      {{5.0, 0.0284}, {6.0, 0.0267}, {8.0, 0.0202}, {12.0, 0.0163}, {20.0, 0.0106}, {32.0, 0.0049}}};
+  for (const auto& [cells, error] : found)
+    for (const char* quantity : {"contact resistance", "thermal contact conductance"})
+    {
+      c.resolution = cells;
+      const double stated = stated_error(quality::expected(c, plan(c)), quantity);
+      EXPECT_GT(1.5 * stated, error) << quantity << ", " << cells;
+      EXPECT_LT(stated, 3.0 * error) << quantity << ", " << cells;
+    }
 }
 
 /// A hard ball on a perfectly plastic flat, eight cells to the contact radius.
