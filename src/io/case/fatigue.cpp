@@ -35,8 +35,7 @@ std::vector<Entry> fatigue_entries(const std::string& material)
                 .choices = criteria(),
                 .unset = "no fatigue",
                 .text = "Criterion by which the stress history of each point of the body over the last cycle (pass, "
-                        "stroke, "
-                        "cycle, indent) is judged. dang_van: mesoscopic shear and hydrostatic stress (Dang Van "
+                        "stroke, cycle, indent) is judged. dang_van: mesoscopic shear and hydrostatic stress (Dang Van "
                         "1989); crossland: amplitude of sqrt(J2) and largest hydrostatic stress (Crossland 1956); "
                         "findley: shear amplitude and largest normal stress on the worst plane (Findley 1959); "
                         "fatemi_socie: shear strain amplitude, with plastic strain, and largest normal stress on "

@@ -49,7 +49,6 @@ BodySnapshot surface_snapshot(const elastoplastic::BodyView& body, double origin
   BodySnapshot s;
   s.grid = body.grid();
   s.grid.surface = s.grid.surface.whole();
-  s.grid.surface = s.grid.surface.whole();
   s.x0 = origin;
   s.y0 = s.grid.surface.y(0);
   s.contact_x = contact_x;
