@@ -53,28 +53,46 @@ def standard_figures(run: Run) -> Iterator[Named]:
             yield Named("worn-profiles", caption, _end_of(final), worn)
     caption = "Forces, energies, permanent deformation and cost, step by step."
     yield Named("history", caption, "course", history.run_history(run))
-    if (at_points := points.point_histories(run)) is not None:
-        caption = "Stress, plastic strain and temperature at the points of output.points, step by step."
-        yield Named("point-histories", caption, "course", at_points)
-    if (warm := temperature.surface_temperatures(run)) is not None:
-        caption = (
-            "Over the distance: temperature of the hottest place of each surface, and heat that each body has taken."
-        )
-        yield Named("surface-temperatures", caption, "course", warm)
-    if (course := wear.worn_course(run)) is not None:
-        caption = "Volume that each body has lost by wear, and the largest depth, over the way slipped."
-        yield Named("worn-course", caption, "course", course)
-    if (resistance := current.contact_resistance(run)) is not None:
-        caption = "Electrical resistance over the load, with the power laws of simple contacts."
-        yield Named("contact-resistance", caption, "course", resistance)
-    if (resistance := current.resistance_course(run)) is not None:
-        caption = "Electrical resistance step by step, in fretting over the cycles."
-        yield Named("resistance-course", caption, "course", resistance)
-    if (resistance := current.resistance_characteristic(run)) is not None:
-        caption = "Resistance and temperature of the contact over the voltage."
-        yield Named("resistance-characteristic", caption, "course", resistance)
+    for name, of_steps, draw in _OVER_STEPS:
+        if (figure := draw(run)) is not None:
+            yield Named(name, of_steps, "course", figure)
     caption = "What the work of the drive has turned into, and below the part of it that is unaccounted for."
     yield Named("energy-balance", caption, "energy", energy.energy_balance(run))
+
+
+_OVER_STEPS: tuple[tuple[str, str, Callable[[Run], Figure | None]], ...] = (
+    (
+        "point-histories",
+        "Stress, plastic strain and temperature at the points of output.points, step by step.",
+        points.point_histories,
+    ),
+    (
+        "surface-temperatures",
+        "Over the distance: temperature of the hottest place of each surface, and heat that each body has taken.",
+        temperature.surface_temperatures,
+    ),
+    (
+        "worn-course",
+        "Volume that each body has lost by wear, and the largest depth, over the way slipped.",
+        wear.worn_course,
+    ),
+    (
+        "contact-resistance",
+        "Electrical resistance over the load, with the power laws of simple contacts.",
+        current.contact_resistance,
+    ),
+    (
+        "resistance-course",
+        "Electrical resistance step by step, in fretting over the cycles.",
+        current.resistance_course,
+    ),
+    (
+        "resistance-characteristic",
+        "Resistance and temperature of the contact over the voltage.",
+        current.resistance_characteristic,
+    ),
+)
+"""Figures over the steps, each where the run has data for it: name, caption and function."""
 
 
 def _of_fatigue(run: Run) -> Iterator[Named]:
