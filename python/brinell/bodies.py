@@ -63,14 +63,17 @@ class Body:
         material: `brinell.Material` or `brinell.RIGID`.
         texture: heights added to the shape: `Dent`, `Bump`, `Sinusoid`, `RandomSurface`, `brinell.HeightMap` or a
             topography of the package SurfaceTopography, or a list of them, which are summed; None: smooth.
+        film: thickness of a film that conducts badly, a `brinell.HeightMap` of numbers >= 0; with the
+            ``film_resistivity`` of `brinell.Interface`. None: no such film.
 
     Raises:
-        InputError: shape, material or texture is of another type.
+        InputError: shape, material, texture or film is of another type.
     """
 
     shape: Shape
     material: Part
     texture: Part | Sequence[Part] | Any | None = None
+    film: HeightMap | Any | None = None
 
     def __post_init__(self) -> None:
         if isinstance(self.material, Shape) or hasattr(self.shape, "young_modulus"):
@@ -83,6 +86,9 @@ class Body:
             object.__setattr__(self, "texture", [HeightMap.of_part(part) for part in texture])
         else:
             object.__setattr__(self, "texture", HeightMap.of_part(texture))
+        object.__setattr__(self, "film", HeightMap.of_part(self.film))
+        if not isinstance(self.film, HeightMap | None):
+            raise InputError(f"film = {self.film!r} of a body; allowed: a brinell.HeightMap of its thickness, or None")
         for name, allowed in (
             ("shape", "a shape such as brinell.Sphere('1 mm')"),
             ("material", "a brinell.Material, or brinell.RIGID"),
@@ -101,6 +107,8 @@ class Body:
     def to_case(self) -> dict[str, Any]:
         """The tables of the body in the case file, as nested dictionaries."""
         tables: dict[str, Any] = {"shape": self.shape.to_case(), "material": self.material.to_case()}
+        if self.film is not None:
+            tables["film"] = self.film.to_case()
         if self.texture is None:
             return tables
         if isinstance(self.texture, Sequence):
@@ -108,5 +116,5 @@ class Body:
         return tables | {"texture": self.texture.to_case()}
 
     def parts(self) -> dict[str, Any]:
-        """Shape, material and texture as objects, so that a case can pass the heights of a map on without text."""
-        return {"shape": self.shape, "material": self.material, "texture": self.texture}
+        """Shape, material, texture and film as objects, so that a case passes the heights of a map on without text."""
+        return {"shape": self.shape, "material": self.material, "texture": self.texture, "film": self.film}

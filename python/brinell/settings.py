@@ -83,6 +83,8 @@ class Interface(CaseTable):
             default: 0, 1, 2 and so on.
         film_resistance: Resistance times area of a film between the surfaces, such as an oxide. 0: no film. In ohm m^2,
             >= 0; default: 0.0.
+        film_resistivity: Resistivity of the films whose thickness is given by lower.film and upper.film. In ohm m,
+            >= 0; default: 0.0.
         film_growth: Growth of the film where the surfaces slip under pressure: film_resistance gained per slip path,
             half of it on each surface. In ohm m, >= 0; default: 0.0.
         film_limit: Resistance times area that a film does not exceed by growing. In ohm m^2, > 0; default: no limit.
@@ -100,6 +102,7 @@ class Interface(CaseTable):
     voltage: Quantity | Sequence[Quantity] | None = None
     current_steps: float | Sequence[float] | None = None
     film_resistance: Quantity | None = None
+    film_resistivity: Quantity | None = None
     film_growth: Quantity | None = None
     film_limit: Quantity | None = None
     film_wear: Quantity | None = None

@@ -151,10 +151,35 @@ def test_electrical_must_be_constants() -> None:
         brinell.Material("120 GPa", 0.34, electrical=1.7e-8)
 
 
-def test_film_and_temperature_coefficient_do_not_go_together() -> None:
+def test_a_thin_film_changes_little_of_a_hot_contact() -> None:
     copper = brinell.Material("120 GPa", 0.34, electrical=brinell.Electrical("1.7e-8 ohm m", "4e-3 1/K"))
-    with pytest.raises(brinell.InputError, match="upper.material.electrical.temperature_coefficient"):
-        pressed(upper=copper, interface={"voltage": 0.1, "film_resistance": 1e-12}).run(in_memory=True)
+    clean, thin = (
+        pressed(upper=copper, interface={"voltage": 0.2, "film_resistance": film}, load="20 N").run(in_memory=True)
+        for film in (0.0, 1e-16)
+    )
+    for column in ("contact_resistance", "contact_temperature", "current"):
+        np.testing.assert_allclose(thin.history[column][-2], clean.history[column][-2], rtol=1e-3)
+
+
+def test_a_map_of_the_thickness_of_a_film_is_that_of_the_field(tmp_path: Path) -> None:
+    x = np.linspace(-1e-4, 1e-4, 41)
+    thickness = brinell.HeightMap(1e-9 * (1.0 + 0.5 * np.sin(2e4 * x)) * np.ones((41, 1)), (5e-6, 5e-6))
+    flat = brinell.Body(brinell.Flat(), STEEL, film=thickness)
+    ball = brinell.Body(brinell.Sphere("5 mm"), COPPER)
+    interface = brinell.Interface(voltage="50 mV", film_resistivity="1e-2 ohm m", film_resistance="1e-12 ohm m^2")
+    run = brinell.Indentation(flat, ball, load="20 N", steps=5, interface=interface).run(tmp_path / "result")
+    again = brinell.open(tmp_path / "result")
+    for contact in (run.snapshot("aligned").contact, again.snapshot("aligned").contact):
+        assert contact.film_resistance is not None
+        middle = contact.film_resistance[contact.y.size // 2]
+        expected = 1e-12 + 1e-2 * 1e-9 * (1.0 + 0.5 * np.sin(2e4 * contact.x))
+        within = np.abs(contact.x) < 0.95e-4  # of the map
+        assert np.count_nonzero(within) > 8
+        np.testing.assert_allclose(middle[within], expected[within], rtol=4e-3)  # linear between points
+    with pytest.raises(brinell.InputError, match=r"film .*brinell\.HeightMap"):
+        brinell.Body(brinell.Flat(), STEEL, film=1e-9)
+    with pytest.raises(brinell.InputError, match="film_resistivity"):
+        brinell.Indentation(flat, ball, load="20 N", steps=5).run(in_memory=True)
 
 
 def test_more_current_than_a_contact_bears_is_told() -> None:

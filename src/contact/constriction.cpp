@@ -183,8 +183,8 @@ void Constriction::correct(Flow& flow, std::span<const double> pressure, double 
     flow.conductance += current;
 }
 
-std::vector<double> Constriction::temperature(std::span<const double> pressure, std::span<const double> density,
-                                              std::span<const double> source, const std::array<Conductor, 2>& bodies)
+Constriction::Heat Constriction::heat(std::span<const double> pressure, std::span<const double> density,
+                                      std::span<const double> source, const std::array<Conductor, 2>& bodies)
 {
   // In each body T + phi^2/(2 rho k) is harmonic, with the flux q + phi j from the surface, phi the potential against the body far
   // away and q the heat that enters it: T = T_0 - phi^2/(2 rho k) + B (q + phi j)/k.
@@ -211,10 +211,14 @@ std::vector<double> Constriction::temperature(std::span<const double> pressure, 
     value /= scale;
   punch_.press(pressure, difference, heat_into_lower_);
   const std::vector<double> by_heat = spread(heat_into_lower_);
-  std::vector<double> result(cells);
+  Heat result{std::vector<double>(cells), {std::vector<double>(cells), std::vector<double>(cells)}};
   for (std::size_t i = 0; i < cells; ++i)
+  {
     if (pressure[i] > 0.0)
-      result[i] = without_source(lower, i) + by_heat[i] / lower.conductivity;
+      result.temperature[i] = without_source(lower, i) + by_heat[i] / lower.conductivity;
+    result.flux[0][i] = heat_into_lower_[i] + lower.resistivity * generated[i];
+    result.flux[1][i] = source[i] - heat_into_lower_[i] + upper.resistivity * generated[i];
+  }
   return result;
 }
 

@@ -60,29 +60,33 @@ double integral(const Function& f, double from, double to)
   return half * sum;
 }
 
-/// Potentials [V]: `contact` at the contact area, `hottest` where the temperature is largest; the far ends of the lower and the
-/// upper body have the voltage and 0.
+/// Potentials [V]: `contact` in each body at the contact area, `hottest` where the temperature is largest, or would be in a film;
+/// the far ends of the lower and the upper body have the voltage and 0. The flux of heat plus the potential times the current is
+/// the same everywhere, in the film as well, and so is `hottest`.
 struct Potentials
 {
-  double voltage, contact, hottest;
+  double voltage;
+  std::array<double, 2> contact;
+  double hottest;
 
+  [[nodiscard]] double far(std::size_t body) const { return body == 0 ? voltage : 0.0; }
   /// kirchhoff of a body at a potential, from its far end.
-  [[nodiscard]] double in_body(int body, double potential) const
+  [[nodiscard]] double in_body(std::size_t body, double potential) const
   {
-    const double far = body == 0 ? voltage : 0.0;
-    return 0.5 * (far - potential) * (far + potential - 2.0 * hottest);
+    return 0.5 * (far(body) - potential) * (far(body) + potential - 2.0 * hottest);
   }
+  [[nodiscard]] double at_contact(std::size_t body) const { return in_body(body, contact.at(body)); }
 };
 
 /// Where the potential is that of the largest temperature: the temperature is the same on both sides of the contact area.
-Potentials with_equal_temperatures(const std::array<HotConductor, 2>& bodies, double voltage, double contact)
+Potentials with_equal_temperatures(const std::array<HotConductor, 2>& bodies, double voltage,
+                                   const std::array<double, 2>& contact)
 {
   // Each temperature is defined for potentials between the ends, where no body is colder than far away but for the other's bulk.
   const auto difference = [&](double hottest)
   {
     const Potentials p{voltage, contact, hottest};
-    const double lower = bodies[0].temperature_at(p.in_body(0, contact)),
-                 upper = bodies[1].temperature_at(p.in_body(1, contact));
+    const double lower = bodies[0].temperature_at(p.at_contact(0)), upper = bodies[1].temperature_at(p.at_contact(1));
     return (std::isnan(lower) ? absolute_zero : lower) - (std::isnan(upper) ? absolute_zero : upper);
   };
   double low = 0.0, high = voltage;
@@ -94,11 +98,38 @@ Potentials with_equal_temperatures(const std::array<HotConductor, 2>& bodies, do
 }
 
 /// Integral of dphi/rho from the contact area to the far end of a body [A/m].
-double flow_in(const HotConductor& body, int index, const Potentials& p)
+double flow_in(const HotConductor& body, std::size_t index, const Potentials& p)
 {
   const auto conductance = [&](double potential)
   { return 1.0 / body.resistivity_at(body.temperature_at(p.in_body(index, potential))); };
-  return index == 0 ? integral(conductance, p.contact, p.voltage) : integral(conductance, 0.0, p.contact);
+  return index == 0 ? integral(conductance, p.contact[0], p.voltage) : integral(conductance, 0.0, p.contact[1]);
+}
+
+/// The potentials for a voltage, of which a given part drops in the film.
+Potentials potentials(const std::array<HotConductor, 2>& bodies, double voltage, double drop)
+{
+  const auto with_contact = [&](double lower) {
+    return with_equal_temperatures(bodies, voltage, {lower, lower - drop});
+  };
+  const auto excess = [&](double lower)
+  {
+    const Potentials p = with_contact(lower);
+    return flow_in(bodies[0], 0, p) - flow_in(bodies[1], 1, p);
+  };
+  return with_contact(root(excess, drop, voltage));
+}
+
+HotContact hot_contact_of(const std::array<HotConductor, 2>& bodies, const Potentials& p)
+{
+  const double interface = bodies[0].temperature_at(p.at_contact(0));
+  double largest = std::max(bodies[0].temperature, bodies[1].temperature);
+  if (p.hottest > p.contact[0] && p.hottest <= p.voltage)
+    largest = bodies[0].temperature_at(p.in_body(0, p.hottest));
+  else if (p.hottest < p.contact[1] && p.hottest >= 0.0)
+    largest = bodies[1].temperature_at(p.in_body(1, p.hottest));
+  else if (p.hottest >= p.contact[1] && p.hottest <= p.contact[0])
+    largest = interface;
+  return {p.voltage, flow_in(bodies[0], 0, p), interface, largest, p.contact, p.hottest};
 }
 
 } // namespace
@@ -124,47 +155,53 @@ double HotConductor::temperature_at(double kirchhoff) const
   return temperature + 2.0 * kirchhoff / (slope + std::sqrt(inside));
 }
 
-HotContact hot_contact(const std::array<HotConductor, 2>& bodies, double voltage)
+HotContact hot_contact(const std::array<HotConductor, 2>& bodies, double voltage, double film)
 {
   if (!(voltage > 0.0))
     return {.interface = nan, .temperature = std::max(bodies[0].temperature, bodies[1].temperature)};
-  const auto excess = [&](double contact)
-  {
-    const Potentials p = with_equal_temperatures(bodies, voltage, contact);
-    return flow_in(bodies[0], 0, p) - flow_in(bodies[1], 1, p);
-  };
-  const double contact = root(excess, 0.0, voltage);
-  const Potentials p = with_equal_temperatures(bodies, voltage, contact);
-  const double interface = bodies[0].temperature_at(p.in_body(0, contact));
-  const int hottest = p.hottest > contact ? 0 : 1;
-  const double largest = p.hottest >= 0.0 && p.hottest <= voltage
-                             ? bodies[static_cast<std::size_t>(hottest)].temperature_at(p.in_body(hottest, p.hottest))
-                             : std::max(bodies[0].temperature, bodies[1].temperature);
-  return {voltage, flow_in(bodies[0], 0, p), interface, largest, p.contact, p.hottest};
+  if (film == 0.0)
+    return hot_contact_of(bodies, potentials(bodies, voltage, 0.0));
+  const auto excess = [&](double drop)
+  { return film * flow_in(bodies[0], 0, potentials(bodies, voltage, drop)) - drop; };
+  return hot_contact_of(bodies, potentials(bodies, voltage, root(excess, 0.0, voltage)));
 }
 
 double temperature_in(const std::array<HotConductor, 2>& bodies, const HotContact& contact, std::size_t body,
                       double share)
 {
-  const double far = body == 0 ? contact.voltage : 0.0;
   const Potentials p{contact.voltage, contact.contact, contact.hottest};
-  return bodies.at(body).temperature_at(p.in_body(static_cast<int>(body), far + share * (contact.contact - far)));
+  return bodies.at(body).temperature_at(p.in_body(body, p.far(body) + share * (p.contact.at(body) - p.far(body))));
 }
 
-std::optional<HotContact> hot_contact_of_current(const std::array<HotConductor, 2>& bodies, double flow)
+Conductor as_constant(const std::array<HotConductor, 2>& bodies, const HotContact& contact, std::size_t body)
+{
+  const HotConductor& at = bodies.at(body);
+  const double t = at.temperature;
+  if (!(contact.flow > 0.0))
+    return {at.resistivity_at(t), at.conductivity_at(t), t};
+  const Potentials p{contact.voltage, contact.contact, contact.hottest};
+  const double resistivity = std::abs(p.far(body) - p.contact.at(body)) / contact.flow;
+  const double rise = contact.interface - t, product = p.at_contact(body) / rise;
+  constexpr double none = 1e-6; // [K]
+  return {resistivity, std::abs(rise) > none ? product / resistivity : at.conductivity_at(t), t};
+}
+
+std::optional<HotContact> hot_contact_of_current(const std::array<HotConductor, 2>& bodies, double flow, double film)
 {
   if (!(flow > 0.0))
     return hot_contact(bodies, 0.0);
   constexpr double hottest = 1e5; // [deg C]
+  const double drop = film * flow;
+  const auto at = [&](double constriction) { return potentials(bodies, drop + constriction, drop); };
+  const auto flow_at = [&](double constriction) { return flow_in(bodies[0], 0, at(constriction)); };
   double high =
       flow * (bodies[0].resistivity_at(bodies[0].temperature) + bodies[1].resistivity_at(bodies[1].temperature));
-  for (HotContact found = hot_contact(bodies, high); !(found.flow >= flow); found = hot_contact(bodies, high))
-    if (!(found.temperature < hottest))
+  while (!(flow_at(high) >= flow))
+    if (!(hot_contact_of(bodies, at(high)).temperature < hottest))
       return std::nullopt;
     else
       high *= 1.1;
-  const double voltage = root([&](double v) { return flow - hot_contact(bodies, v).flow; }, 0.0, high);
-  return hot_contact(bodies, voltage);
+  return hot_contact_of(bodies, at(root([&](double v) { return flow - flow_at(v); }, 0.0, high)));
 }
 
 } // namespace brinell::contact

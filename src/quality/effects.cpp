@@ -109,8 +109,11 @@ void warn_of_current(const Facts& facts, const RunTotals& totals, std::vector<Wa
         warnings.push_back({"melting_current",
                             fmt::format("the current heats the contact to {:.0f} degC in a steady state, and the {} "
                                         "body melts at {:.0f} degC: spots that melt spread, and conduct better than "
-                                        "contact_resistance says",
-                                        totals.max_contact_temperature, side == 0 ? "lower" : "upper", *melting)});
+                                        "contact_resistance says{}",
+                                        totals.max_contact_temperature, side == 0 ? "lower" : "upper", *melting,
+                                        facts.is_softened_by_current[side] && !facts.is_heated
+                                            ? "; while it would melt, its softening stays that of the step before"
+                                            : "")});
   if (facts.is_heated) // the bodies feel the heat of the current beside that of friction
     return;
   constexpr double warm = 100.0; // [K]

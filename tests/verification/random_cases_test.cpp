@@ -142,7 +142,7 @@ struct Outcome
     EXPECT_TRUE(row.largest_spot_share > 0.0 && row.largest_spot_share < 1.0 + 1e-9) << row.largest_spot_share;
     if (std::isnan(row.contact_resistance)) // a large current through metals that get hot has no steady state
     {
-      EXPECT_TRUE(!drive.current.empty() && !drive.film.exists() && std::isnan(row.contact_temperature));
+      EXPECT_TRUE(!drive.current.empty() && std::isnan(row.contact_temperature));
       return;
     }
     EXPECT_TRUE(std::isfinite(row.contact_resistance) && row.contact_resistance > 0.0) << row.contact_resistance;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/contact/contact_area.hpp"
+#include "brinell/contact/contact_voltage.hpp"
 #include "brinell/contact/punch.hpp"
 
 #include <array>
@@ -49,18 +50,19 @@ public:
   [[nodiscard]] Flow flow(const Contact& contact, double spreading, std::span<const double> film,
                           std::vector<double> density = {});
 
-  /// Resistivity, thermal conductivity and temperature far away of a body: constants.
-  struct Conductor
+  /// Heat of a current through a contact with a film.
+  struct Heat
   {
-    double resistivity = 0.0;  ///< [ohm m]
-    double conductivity = 0.0; ///< [W/(m K)]
-    double temperature = 0.0;  ///< [deg C]
+    std::vector<double> temperature; ///< of the contact area, the same in both surfaces [deg C]; 0 elsewhere
+    /// Flux into each body of which temperature plus phi^2/(2 resistivity conductivity) is the steady one: the heat that enters
+    /// plus the potential times the density [W/m^2].
+    std::array<std::vector<double>, 2> flux;
   };
-  /// Steady temperature of the contact area [deg C], of each cell; 0 elsewhere. It is the same in both surfaces.
+  /// The steady state.
   /// @param density  solution on the cells times the voltage [A/m^2]
   /// @param source   heat that arises between the surfaces [W/m^2], one per cell
-  [[nodiscard]] std::vector<double> temperature(std::span<const double> pressure, std::span<const double> density,
-                                                std::span<const double> source, const std::array<Conductor, 2>& bodies);
+  [[nodiscard]] Heat heat(std::span<const double> pressure, std::span<const double> density,
+                          std::span<const double> source, const std::array<Conductor, 2>& bodies);
 
 private:
   [[nodiscard]] std::vector<double> spread(std::span<const double> flux);

@@ -116,13 +116,16 @@ public:
   void restore() override;
   void commit(const Interaction& found, const Placement& placement) override;
   [[nodiscard]] bool heats() const override { return drive_.drives(); }
-  /// Whether the steady temperature around the spots softens a body: without a film, on open grids, under a current.
+  /// Whether the steady temperature around the spots softens a body: under a current, on grids that are open or periodic in both
+  /// directions.
   [[nodiscard]] static bool softens(const constitutive::Material& material, const CurrentDrive& drive,
                                     const SurfaceGrid& contact);
   bool renews_softening(const Interaction& found, const Placement& placement, int turn) override;
   [[nodiscard]] std::span<const double> softening(std::size_t side) const override { return softening_.at(side); }
   /// Density of the current times the voltage: the heat of the constriction in both bodies, and of the film.
   [[nodiscard]] std::span<const double> heat() const override { return heat_; }
+  /// Area resistance of the film in each cell of the contact grid [ohm m^2]; empty without a film.
+  [[nodiscard]] std::span<const double> film() const { return state_.film; }
   /// Density of the current, mean over each cell of the contact grid [A/m^2].
   [[nodiscard]] std::span<const double> density() const { return state_.density; }
 
@@ -138,6 +141,7 @@ private:
   struct State
   {
     std::vector<double> density;  ///< [A/m^2]
+    std::vector<double> film;     ///< area resistance of the film on the contact grid [ohm m^2]; empty: none
     std::vector<double> per_volt; ///< guess of the next solution [A/(V m^2)]
     double resistance = 0.0, current = 0.0, voltage = 0.0, largest_density = 0.0, largest_share = 0.0,
            temperature = 0.0, mean_film = 0.0;
@@ -151,6 +155,7 @@ private:
     static constexpr auto table()
     {
       return std::tuple{listed(&State::density, {"density"}, {.is_sized = true}),
+                        listed(&State::film, {"film"}, {.is_sized = true}),
                         listed(&State::per_volt, {"per_volt"}, {.is_sized = true}),
                         listed(&State::resistance, {"resistance"}),
                         listed(&State::current, {"current"}),
@@ -168,10 +173,28 @@ private:
     }
   };
 
+  struct FilmHeat
+  {
+    std::vector<double> density; ///< [A/m^2]
+    std::array<contact::Conductor, 2> bodies;
+    contact::Constriction::Heat heat;
+  };
+  struct Hot
+  {
+    contact::HotContact contact{};
+    double current = 0.0; ///< [A]
+  };
+
+  [[nodiscard]] std::vector<double> film_after(const Interaction& found, const Placement& placement);
+  [[nodiscard]] std::optional<std::array<std::vector<double>, 2>> softening_by_current(const Interaction& found,
+                                                                                       const Placement& placement);
+  [[nodiscard]] FilmHeat heat_of_film(const Hot& hot, const contact::Flow& flow, std::span<const double> film,
+                                      std::span<const double> pressure);
   void drive_through(const contact::Flow& flow, const Interaction& found);
-  [[nodiscard]] std::optional<contact::HotContact> hot_contact(const contact::Flow& flow, double step) const;
+  [[nodiscard]] std::optional<Hot> hot_contact(const contact::Flow& flow, std::span<const double> film,
+                                               double step) const;
   void find_density(const contact::Flow& flow);
-  void heat_up(const contact::Flow& flow, std::span<const double> pressure);
+  void heat_up(const Hot& hot, const contact::Flow& flow, std::span<const double> pressure);
   void find_means(std::span<const double> pressure);
 
   contact::Constriction constriction_;
@@ -189,7 +212,6 @@ private:
   double softening_error_ = 0.0;
   State next_; ///< end of the increment
   Film::State next_film_;
-  std::vector<double> film_; ///< [ohm m^2], on the contact grid; empty: none
   std::vector<double> heat_; ///< see `heat`
   std::optional<double> clean_conductance_{};
 };
@@ -199,6 +221,12 @@ inline constexpr std::array current_fields{EffectField{.effect = "current",
                                                        .unit = "A/m^2",
                                                        .text = "density of the electric current, mean over each cell",
                                                        .values = [](const Effect& current, std::size_t)
-                                                       { return static_cast<const Current&>(current).density(); }}};
+                                                       { return static_cast<const Current&>(current).density(); }},
+                                           EffectField{.effect = "current",
+                                                       .name = "film_resistance",
+                                                       .unit = "ohm m^2",
+                                                       .text = "area resistance of the film between the surfaces",
+                                                       .values = [](const Effect& current, std::size_t)
+                                                       { return static_cast<const Current&>(current).film(); }}};
 
 } // namespace brinell::elastoplastic

@@ -20,17 +20,22 @@ struct FilmLaw
   double growth = 0.0;           ///< area resistance gained per slip path under pressure [ohm m], >= 0
   std::optional<double> limit{}; ///< area resistance that slip does not exceed [ohm m^2], >= resistance
   double wear = 0.0;             ///< area resistance that a surface loses per worn depth [ohm m], >= 0
+  /// Resistivity of what covers the lower and the upper surface with the thickness `cover` [ohm m], >= 0; 0: no cover.
+  double resistivity = 0.0;
+  /// Thickness at the start [m], >= 0, on the surface grids of the bodies; empty: none.
+  std::array<std::vector<double>, 2> cover{};
 
-  [[nodiscard]] bool exists() const { return resistance > 0.0 || growth > 0.0; }
-  [[nodiscard]] bool changes() const { return growth > 0.0 || (wear > 0.0 && resistance > 0.0); }
+  [[nodiscard]] bool exists() const { return resistance > 0.0 || growth > 0.0 || resistivity > 0.0; }
+  /// Whether it may differ from place to place, and so moves with the surfaces.
+  [[nodiscard]] bool varies() const { return growth > 0.0 || resistivity > 0.0 || (wear > 0.0 && resistance > 0.0); }
   bool operator==(const FilmLaw&) const = default;
 };
 
-/// The film on both surfaces, half of it on each at the start and half of what grows, which moves with them.
+/// The film on both surfaces, which moves with them: what covers each at the start, half of the rest and half of what grows.
 class Film
 {
 public:
-  /// Film on the grids of the lower and the upper body; empty where it does not change.
+  /// Film on the grids of the lower and the upper body; empty where it is uniform.
   struct State
   {
     std::array<std::vector<double>, 2> resistance; ///< area resistance [ohm m^2]

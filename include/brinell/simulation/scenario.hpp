@@ -32,6 +32,7 @@ struct ShapedBody
   constitutive::Material material;
   Texture texture{};
   std::optional<constitutive::Fatigue> fatigue{}; ///< none: it is not computed
+  Texture film{}; ///< thickness of a film that conducts badly, at the start: a height map of numbers >= 0; smooth: none
   bool operator==(const ShapedBody&) const = default;
 };
 

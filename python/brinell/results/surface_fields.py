@@ -43,6 +43,8 @@ class FieldsOfContact:
     """Heat of friction into the upper body [W/m^2]."""
     current_density: FloatArray | None = None
     """Density of the electric current, mean over each cell [A/m^2]."""
+    film_resistance: FloatArray | None = None
+    """Area resistance of the film between the surfaces [ohm m^2]."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

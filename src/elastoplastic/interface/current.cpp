@@ -60,8 +60,35 @@ Current::~Current() = default;
 
 bool Current::softens(const constitutive::Material& material, const CurrentDrive& drive, const SurfaceGrid& contact)
 {
-  return drive.drives() && !drive.film.exists() && material.is_plastic() && material.softening &&
-         !contact.is_periodic_x() && !contact.is_periodic_y();
+  return drive.drives() && material.is_plastic() && material.softening &&
+         contact.is_periodic_x() == contact.is_periodic_y();
+}
+
+/// Factors on the yield stress by the present contact; none without a steady state, or where a body that softens would melt: that is
+/// told, and not iterated on.
+std::optional<std::array<std::vector<double>, 2>> Current::softening_by_current(const Interaction& found,
+                                                                                const Placement& placement)
+{
+  const std::vector<double> film = film_after(found, placement);
+  contact::Flow flow = constriction_.flow({found.pressure(), found.gap()}, spreading_, film, state_.per_volt);
+  if (!std::isfinite(flow.conductance))
+    return std::nullopt;
+  if (flow.density.empty()) // without contact
+    flow.density.resize(grid_.size());
+  const auto hot = flow.conductance == 0.0 ? Hot{} : hot_contact(flow, film, found.step());
+  if (!hot)
+    return std::nullopt;
+  const SpotSoftening& spots = *spot_softening_;
+  if (hot->contact.temperature >= spots.melting_temperature())
+    return std::nullopt;
+  if (film.empty())
+    return std::array{spots.factors(0, placement.lower, flow.density, bodies_, hot->contact),
+                      spots.factors(1, placement.upper, flow.density, bodies_, hot->contact)};
+  const auto [density, bodies, heat] = heat_of_film(*hot, flow, film, found.pressure());
+  if (*std::max_element(heat.temperature.begin(), heat.temperature.end()) >= spots.melting_temperature())
+    return std::nullopt;
+  return std::array{spots.factors(0, placement.lower, density, heat.flux[0], bodies[0].resistivity, bodies_[0]),
+                    spots.factors(1, placement.upper, density, heat.flux[1], bodies[1].resistivity, bodies_[1])};
 }
 
 bool Current::renews_softening(const Interaction& found, const Placement& placement, int turn)
@@ -70,17 +97,13 @@ bool Current::renews_softening(const Interaction& found, const Placement& placem
   constexpr int most_turns = 30, first_turns = 3;
   if (!spot_softening_)
     return false;
-  const contact::Flow flow = constriction_.flow({found.pressure(), found.gap()}, spreading_, {}, state_.per_volt);
-  const std::optional<contact::HotContact> hot =
-      flow.conductance == 0.0 ? contact::HotContact{} : hot_contact(flow, found.step());
-  if (!hot || !std::isfinite(flow.conductance)) // without a steady state: told, and not iterated on
+  const auto wanted = softening_by_current(found, placement);
+  if (!wanted)
     return false;
-  const std::vector<double> none(grid_.size());
   double change = 0.0;
   for (std::size_t side = 0; side < 2; ++side)
   {
-    const std::vector<double> now = spot_softening_->factors(side, side == 0 ? placement.lower : placement.upper,
-                                                             flow.density.empty() ? none : flow.density, bodies_, *hot);
+    const std::vector<double>& now = (*wanted)[side];
     std::vector<double>& factors = softening_[side];
     factors.resize(now.size(), 1.0);
     // Under a current softer spots are larger and cooler: half of the change in later turns, so that it cannot swing.
@@ -112,23 +135,30 @@ void Current::begin(const Interaction& /*before*/)
     value *= state_.heating_voltage;
 }
 
+/// Advances the film by an increment.
+/// @returns its area resistance on the contact grid [ohm m^2]; empty without a film
+std::vector<double> Current::film_after(const Interaction& found, const Placement& placement)
+{
+  next_film_ = film_state_;
+  film_law_.advance(
+      next_film_, found, placement,
+      {wear_ ? wear_->depth(0) : std::span<const double>(), wear_ ? wear_->depth(1) : std::span<const double>()});
+  return film_law_.resistance(next_film_, placement);
+}
+
 void Current::settle(const Interaction& found, const Placement& placement)
 {
   next_ = state_;
   next_.softening = softening_;
   next_.softening_error = softening_error_;
-  next_film_ = film_state_;
-  film_law_.advance(
-      next_film_, found, placement,
-      {wear_ ? wear_->depth(0) : std::span<const double>(), wear_ ? wear_->depth(1) : std::span<const double>()});
-  film_ = film_law_.resistance(next_film_, placement);
+  next_.film = film_after(found, placement);
   contact::Flow flow =
-      constriction_.flow({found.pressure(), found.gap()}, spreading_, film_, std::move(next_.per_volt));
+      constriction_.flow({found.pressure(), found.gap()}, spreading_, next_.film, std::move(next_.per_volt));
   next_.spots = static_cast<int>(flow.of_patch.size());
   next_.largest_share =
       flow.of_patch.empty() ? 0.0 : *std::max_element(flow.of_patch.begin(), flow.of_patch.end()) / flow.conductance;
   next_.temperature = std::max(bodies_[0].temperature, bodies_[1].temperature);
-  clean_conductance_ = film_.empty() ? std::optional(flow.conductance * spreading_) : std::nullopt;
+  clean_conductance_ = next_.film.empty() ? std::optional(flow.conductance * spreading_) : std::nullopt;
   drive_through(flow, found);
   find_density(flow);
   find_means(found.pressure());
@@ -152,10 +182,10 @@ void Current::find_means(std::span<const double> pressure)
 {
   double sum = 0.0;
   std::size_t touching = 0;
-  for (std::size_t i = 0; i < film_.size(); ++i)
+  for (std::size_t i = 0; i < next_.film.size(); ++i)
     if (pressure[i] > 0.0)
     {
-      sum += film_[i];
+      sum += next_.film[i];
       ++touching;
     }
   next_.mean_film = touching > 0 ? sum / static_cast<double>(touching) : 0.0;
@@ -177,13 +207,32 @@ void Current::find_density(const contact::Flow& flow)
   }
 }
 
-/// The contact without a film. The factor of shape does not depend on temperature: the isotherms are those of the cold contact.
-std::optional<contact::HotContact> Current::hot_contact(const contact::Flow& flow, double step) const
+/// The hot contact and its current. The factor of shape and the share of the film in the power do not depend on temperature:
+/// without a film the isotherms are those of the cold contact. None without a steady state in which metals are solid or liquid.
+std::optional<Current::Hot> Current::hot_contact(const contact::Flow& flow, std::span<const double> film,
+                                                 double step) const
 {
+  double power = 0.0, sum = 0.0; // of the film and of all, for 1 V
+  for (std::size_t i = 0; i < film.size(); ++i)
+  {
+    power += film[i] * flow.density[i] * flow.density[i];
+    sum += flow.density[i];
+  }
+  constexpr double most = 1.0 - 1e-12;
+  const double of_film = sum > 0.0 ? std::min(power / sum, most) : 0.0, of_bodies = 1.0 - of_film;
+  const double shape = flow.conductance * spreading_ / of_bodies, resistance = spreading_ * of_film / of_bodies;
+  constexpr double hottest = 6000.0; // [deg C]: tungsten boils at 5930
   if (const std::optional<double> voltage = drive_.at(step, drive_.voltage))
-    return contact::hot_contact(bodies_, *voltage);
+  {
+    const contact::HotContact hot = contact::hot_contact(bodies_, *voltage, resistance);
+    const double drop = hot.contact[0] - hot.contact[1]; // of the two the one that is large is exact
+    return hot.temperature < hottest
+               ? std::optional(Hot{hot, of_film > 0.5 ? drop * flow.conductance / of_film : shape * hot.flow})
+               : std::nullopt;
+  }
   const double current = drive_.at(step, drive_.current).value_or(0.0);
-  return contact::hot_contact_of_current(bodies_, current / (flow.conductance * spreading_));
+  const auto hot = contact::hot_contact_of_current(bodies_, current / shape, resistance);
+  return hot && hot->temperature < hottest ? std::optional(Hot{*hot, current}) : std::nullopt;
 }
 
 /// Finds resistance, current and voltage.
@@ -203,41 +252,37 @@ void Current::drive_through(const contact::Flow& flow, const Interaction& found)
     next_.voltage = is_open && driven > 0.0 ? infinite : is_open ? voltage.value_or(0.0) : 0.0;
     return;
   }
-  if (!film_.empty())
-  {
-    next_.voltage = voltage ? *voltage : current.value_or(0.0) * next_.resistance;
-    next_.current = current.value_or(next_.voltage * flow.conductance);
-    next_.heating_voltage = next_.voltage;
-    return heat_up(flow, found.pressure());
-  }
-  const std::optional<contact::HotContact> hot = hot_contact(flow, found.step());
-  next_.voltage = hot ? hot->voltage : nan;
-  next_.current = current.value_or(hot ? flow.conductance * spreading_ * hot->flow : nan);
-  next_.temperature = hot ? hot->temperature : nan;
-  if (!hot || hot->flow > 0.0)
+  const std::optional<Hot> hot = hot_contact(flow, next_.film, found.step());
+  next_.voltage = hot ? hot->contact.voltage : nan;
+  next_.current = current.value_or(hot ? hot->current : nan);
+  next_.temperature = hot ? hot->contact.temperature : nan;
+  if (!hot || hot->contact.flow > 0.0)
     next_.resistance = next_.voltage / next_.current;
-  next_.heating_voltage = hot ? hot->voltage : next_.current / flow.conductance; // without a steady state as if cold
+  next_.heating_voltage = hot ? next_.voltage : next_.current / flow.conductance; // without a steady state as if cold
+  if (hot && !next_.film.empty() && next_.voltage > 0.0)
+    heat_up(*hot, flow, found.pressure());
 }
 
-/// Finds the temperature of a contact with a film.
-void Current::heat_up(const contact::Flow& flow, std::span<const double> pressure)
+/// Heat of a contact with a film, in which the spots are not equally hot.
+Current::FilmHeat Current::heat_of_film(const Hot& hot, const contact::Flow& flow, std::span<const double> film,
+                                        std::span<const double> pressure)
 {
-  if (next_.voltage == 0.0)
-    return;
-  std::vector<double> density(flow.density), source(flow.density.size());
-  for (std::size_t i = 0; i < density.size(); ++i)
+  FilmHeat result{.density = flow.density, .bodies = {}, .heat = {}};
+  std::vector<double> source(film.size());
+  for (std::size_t i = 0; i < film.size(); ++i)
   {
-    density[i] *= next_.voltage;
-    source[i] = film_[i] * density[i] * density[i];
+    result.density[i] *= flow.conductance > 0.0 ? hot.current / flow.conductance : 0.0;
+    source[i] = film[i] * result.density[i] * result.density[i];
   }
-  std::array<contact::Constriction::Conductor, 2> bodies;
-  for (std::size_t side = 0; side < bodies.size(); ++side)
-  {
-    const contact::HotConductor& body = bodies_[side];
-    const double resistivity = body.resistivity_at(body.temperature);
-    bodies[side] = {resistivity, body.conductivity_at(body.temperature), body.temperature};
-  }
-  const std::vector<double> temperature = constriction_.temperature(pressure, density, source, bodies);
+  result.bodies = {as_constant(bodies_, hot.contact, 0), as_constant(bodies_, hot.contact, 1)};
+  result.heat = constriction_.heat(pressure, result.density, source, result.bodies);
+  return result;
+}
+
+/// Finds the largest temperature of a contact with a film; the hottest point may lie within the worse conductor.
+void Current::heat_up(const Hot& hot, const contact::Flow& flow, std::span<const double> pressure)
+{
+  const std::vector<double> temperature = heat_of_film(hot, flow, next_.film, pressure).heat.temperature;
   for (std::size_t i = 0; i < temperature.size(); ++i)
     if (pressure[i] > 0.0)
       next_.temperature = std::max(next_.temperature, temperature[i]);
@@ -275,6 +320,7 @@ void Current::embed(const Effect& smaller_grids)
     factors.clear(); // found anew by the increment that follows
   for (std::vector<double>* field : {&state_.density, &state_.per_volt})
     field->assign(grid_.size(), 0.0);
+  state_.film.clear();
   if (!smaller.state_.density.empty()) // the heat of the increment that follows begins with it; the guess is found anew
     embed_field(smaller.grid_, smaller.state_.density, grid_, state_.density);
   restore();

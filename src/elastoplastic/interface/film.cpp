@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/embedding.hpp"
 #include "brinell/foundation/error.hpp"
+#include "foundation/require_size.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,14 +14,20 @@ namespace brinell::elastoplastic
 Film::Film(const SurfaceGrid& contact, const SurfaceGrid& lower, const SurfaceGrid& upper, const FilmLaw& law)
     : contact_(contact), grids_{lower, upper}, law_(law)
 {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (!law.cover[side].empty())
+      require_size("Film: the cover", law.cover[side], grids_[side].size());
 }
 
 Film::State Film::start() const
 {
   State state;
-  for (std::size_t side = 0; side < 2 && law_.changes(); ++side)
+  for (std::size_t side = 0; side < 2 && law_.varies(); ++side)
   {
-    state.resistance[side].assign(grids_[side].size(), 0.5 * law_.resistance);
+    std::vector<double>& film = state.resistance[side];
+    film.assign(grids_[side].size(), 0.5 * law_.resistance);
+    for (std::size_t i = 0; i < law_.cover[side].size(); ++i)
+      film[i] += law_.resistivity * law_.cover[side][i];
     if (law_.wear > 0.0)
       state.worn[side].assign(grids_[side].size(), 0.0);
   }
@@ -30,7 +37,7 @@ Film::State Film::start() const
 void Film::advance(State& state, const Interaction& found, const Placement& placement,
                    const std::array<std::span<const double>, 2>& worn) const
 {
-  if (!law_.changes())
+  if (!law_.varies())
     return;
   for (std::size_t side = 0; side < 2; ++side)
     for (std::size_t i = 0; i < worn[side].size() && law_.wear > 0.0; ++i)
@@ -55,8 +62,8 @@ std::vector<double> Film::resistance(const State& state, const Placement& placem
 {
   if (!law_.exists())
     return {};
-  std::vector<double> sum(contact_.size(), law_.changes() ? 0.0 : law_.resistance);
-  if (!law_.changes())
+  std::vector<double> sum(contact_.size(), law_.varies() ? 0.0 : law_.resistance);
+  if (!law_.varies())
     return sum;
   add_depth(grids_[0], state.resistance[0], {}, placement.lower, contact_, sum);
   add_depth(grids_[1], state.resistance[1], {}, placement.upper, contact_, sum);

@@ -210,7 +210,8 @@ simulation::ShapedBody read_body(const CaseReader& reader, const std::string& bo
 {
   const std::string shape = body + ".shape.";
   return {made(reader, shape, chosen(reader, shape + "type", shape_options())), material(reader, body + ".material."),
-          read_texture(reader, body + ".texture", domain), read_fatigue(reader, body + ".material.fatigue.")};
+          read_texture(reader, body + ".texture", domain), read_fatigue(reader, body + ".material.fatigue."),
+          read_film(reader, body + ".film")};
 }
 
 } // namespace brinell::io

@@ -124,6 +124,9 @@ Product made(const CaseReader& reader, const std::string& table, const Option<Pr
 [[nodiscard]] simulation::Texture read_texture(const CaseReader& reader, const std::string& key,
                                                const simulation::Domain* domain);
 
+/// Reads the film on a surface from the table `key`: its thickness in place of heights; smooth without one.
+[[nodiscard]] simulation::Texture read_film(const CaseReader& reader, const std::string& key);
+
 /// Fills in the thermal constants, if there are any. `material.elastic` must be set before, because a rigid body has no thermal
 /// expansion.
 /// @param table  ends with a dot

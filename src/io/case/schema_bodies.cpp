@@ -212,6 +212,26 @@ Entries texture_entries(const std::string& table)
   return entries;
 }
 
+/// Keys of a film whose thickness differs from place to place.
+Entries film_entries(const std::string& table)
+{
+  const Condition has_map{table + "type", {"height_map"}};
+  const auto centre = [&](const char* key, const char* text) -> Entry
+  { return {.key = key, .of = kind::length, .fallback = 0.0, .text = text}; };
+  return joined({in_table(table, {},
+                          {{.key = "type",
+                            .choices = {"none", "height_map"},
+                            .fallback = "none",
+                            .text = "Film on the surface at the start, fixed to the material, that conducts badly: its "
+                                    "thickness, measured or that of a function of x and y, takes the place of the "
+                                    "heights of a map. It adds interface.film_resistivity times the thickness to the "
+                                    "film, and changes no height."}}),
+                 map_entries(table),
+                 in_table(table, has_map,
+                          {centre("x", "Position of the centre of the map on the body's surface along x."),
+                           centre("y", "Position of the centre of the map on the body's surface along y.")})});
+}
+
 } // namespace
 
 std::vector<Entry> in_table(const std::string& table, const Condition& when, std::vector<Entry> entries)
@@ -237,8 +257,8 @@ std::vector<Entry> joined(std::vector<std::vector<Entry>> parts)
 
 std::vector<Entry> body_entries(const std::string& body)
 {
-  return joined(
-      {shape_entries(body + ".shape."), texture_entries(body + ".texture."), material_entries(body + ".material.")});
+  return joined({shape_entries(body + ".shape."), texture_entries(body + ".texture."), film_entries(body + ".film."),
+                 material_entries(body + ".material.")});
 }
 
 } // namespace brinell::io

@@ -149,6 +149,11 @@ std::vector<Entry> current_entries()
             .text = "Resistance times area of a film between the surfaces, such as an oxide. 0: no film.",
             .member = "FilmLaw::resistance"},
            &FilmLaw::resistance),
+      film({.key = "interface.film_resistivity",
+            .of = kind::resistivity.at_least(0.0),
+            .text = "Resistivity of the films whose thickness is given by lower.film and upper.film.",
+            .member = "FilmLaw::resistivity"},
+           &FilmLaw::resistivity),
       sliding({.key = "interface.film_growth",
                .of = kind::resistivity.at_least(0.0),
                .text = "Growth of the film where the surfaces slip under pressure: film_resistance gained per slip "

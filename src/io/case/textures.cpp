@@ -141,6 +141,12 @@ simulation::Texture read_texture(const CaseReader& reader, const std::string& ke
   return sum;
 }
 
+simulation::Texture read_film(const CaseReader& reader, const std::string& key)
+{
+  const std::string table = key + ".";
+  return reader.get<std::string>(table + "type") == "none" ? simulation::Texture() : height_map(reader, table);
+}
+
 namespace
 {
 
@@ -285,6 +291,7 @@ void load_texture_files(CaseValues& values, const RawCase& raw, const std::strin
 {
   for (const std::string& table : raw.tables_of(body + ".texture"))
     load_heights(values, raw, table + ".", problems, warnings);
+  load_heights(values, raw, body + ".film.", problems, warnings);
 }
 
 } // namespace brinell::io

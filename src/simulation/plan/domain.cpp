@@ -136,6 +136,8 @@ std::string what_varies(const ShapedBody& lower, const ShapedBody& upper, bool a
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!is_uniform(body->texture, along_y, size))
       return member_of(name, "texture") + " varies";
+    else if (!is_uniform(body->film, along_y, size))
+      return member_of(name, "film") + " varies";
   return {};
 }
 

@@ -41,6 +41,16 @@ std::string text_of(const std::vector<double>& values)
   return values.size() == 1 ? fmt::format("{:g}", values[0]) : fmt::format("[{:g}]", fmt::join(values, ", "));
 }
 
+/// The first of the numbers of a film, as messages name it; empty if there is no film.
+std::string given_of(const elastoplastic::FilmLaw& film)
+{
+  if (film.resistance > 0.0)
+    return fmt::format("`FilmLaw::resistance` = {:g} ohm m^2", film.resistance);
+  if (film.resistivity > 0.0)
+    return fmt::format("`FilmLaw::resistivity` = {:g} ohm m", film.resistivity);
+  return film.growth > 0.0 ? fmt::format("`FilmLaw::growth` = {:g} ohm m", film.growth) : std::string();
+}
+
 /// The first of the drives and the film that is given, as messages name it; empty if none is.
 std::string given_of(const CurrentDrive& drive)
 {
@@ -48,9 +58,7 @@ std::string given_of(const CurrentDrive& drive)
     return fmt::format("`CurrentDrive::current` = {} A", text_of(drive.current));
   if (!drive.voltage.empty())
     return fmt::format("`CurrentDrive::voltage` = {} V", text_of(drive.voltage));
-  if (drive.film.resistance > 0.0)
-    return fmt::format("`FilmLaw::resistance` = {:g} ohm m^2", drive.film.resistance);
-  return drive.film.growth > 0.0 ? fmt::format("`FilmLaw::growth` = {:g} ohm m", drive.film.growth) : std::string();
+  return given_of(drive.film);
 }
 
 void require_at_least_zero(const char* key, double value)
@@ -79,6 +87,7 @@ void require_steps(const CurrentDrive& drive)
 void require_film(const elastoplastic::FilmLaw& film, const Numerics& numerics, const std::string& reason)
 {
   require_at_least_zero("`FilmLaw::resistance`", film.resistance);
+  require_at_least_zero("`FilmLaw::resistivity`", film.resistivity);
   require_at_least_zero("`FilmLaw::growth`", film.growth);
   require_at_least_zero("`FilmLaw::wear`", film.wear);
   if (film.limit && !(*film.limit >= film.resistance && *film.limit > 0.0 && std::isfinite(*film.limit)))
@@ -91,6 +100,26 @@ void require_film(const elastoplastic::FilmLaw& film, const Numerics& numerics, 
     throw PlanError("`FilmLaw::wear` = {:g} ohm m, but nothing wears; allowed: with `WearLaw::lower` or "
                     "`WearLaw::upper`",
                     film.wear);
+}
+
+/// Checks the thickness of a film on a body.
+void require_cover(const ShapedBody& body, const std::string& name, const elastoplastic::FilmLaw& film,
+                   const Domain& domain)
+{
+  const std::string key = member_of(name, "film");
+  for (const TexturePart& part : body.film.parts)
+  {
+    const auto* map = std::get_if<HeightMap>(&part);
+    if (!map)
+      throw PlanError("{}: a film needs a height map of its thickness; allowed: one map", key);
+    for (const double thickness : map->heights)
+      if (!(thickness >= 0.0 && std::isfinite(thickness)))
+        throw PlanError("{} has a thickness of {:g} m; allowed: numbers >= 0", key, thickness);
+    if (film.resistivity == 0.0)
+      throw PlanError("{} has no resistivity; allowed: with `FilmLaw::resistivity` > 0", key);
+    if (const auto reason = reason_against_texture(body.film, domain))
+      throw PlanError("{} is not compatible with the periodic grid: {}", key, *reason);
+  }
 }
 
 void require_electrical(const constitutive::Electrical& electrical, const std::string& body)
@@ -111,6 +140,11 @@ void require_current(const PairCase& c, const std::string& why_no_slip)
     for (const double value : *values)
       require_at_least_zero(key, value);
   require_film(drive.film, c, why_no_slip);
+  require_cover(c.lower, "lower", drive.film, c.domain);
+  require_cover(c.upper, "upper", drive.film, c.domain);
+  if (drive.film.resistivity > 0.0 && c.lower.film.is_smooth() && c.upper.film.is_smooth())
+    throw PlanError("{}, but no surface has a film; allowed: with {} or {}", given_of(drive.film),
+                    member_of("lower", "film"), member_of("upper", "film"));
   if (!drive.current.empty() && !drive.voltage.empty())
     throw PlanError("{} together with `CurrentDrive::voltage` = {} V: each follows from the other; allowed: one of "
                     "them",
@@ -126,13 +160,6 @@ void require_current(const PairCase& c, const std::string& why_no_slip)
     else if (const std::string given = given_of(drive); !given.empty())
       throw PlanError("{}: the {} body insulates; allowed: with {}", given, name,
                       member_of(name, "material.electrical.resistivity"));
-    if (drive.film.exists() && body->material.electrical->temperature_coefficient > 0.0)
-      throw PlanError("{}: the current through a film is found for resistivities that "
-                      "do not depend on temperature; allowed: with {} = 0",
-                      drive.film.resistance > 0.0
-                          ? fmt::format("`FilmLaw::resistance` = {:g} ohm m^2", drive.film.resistance)
-                          : fmt::format("`FilmLaw::growth` = {:g} ohm m", drive.film.growth),
-                      member_of(name, "material.electrical.temperature_coefficient"));
   }
 }
 

@@ -101,7 +101,8 @@ Stepper::Setup setup_of(const PairCase& c, const Centre& start, const halfspace:
                        .solver = c.solver,
                        .start = start,
                        .lower_texture = c.lower.texture,
-                       .upper_texture = c.upper.texture};
+                       .upper_texture = c.upper.texture,
+                       .films = {c.lower.film, c.upper.film}};
   setup.sliding = {.friction = c.friction, .effects = c};
   if (is_heated(c))
     setup.sliding.heat = {c.heat, heat_times};
@@ -130,12 +131,20 @@ Stepper::Stepper(const Plan& plan, Setup setup)
 
 std::unique_ptr<CoupledContact> Stepper::make_pair() const
 {
+  const auto on_lower = [&](const Texture& texture)
+  { return textured(texture, plan_.lower.surface, lattice_.lower_origin(), setup_.beside.lower); };
+  const auto on_upper = [&](const Texture& texture)
+  { return textured(texture, plan_.upper.surface, lattice_.upper_origin(), setup_.beside.upper); };
+  elastoplastic::Sliding sliding = setup_.sliding;
+  std::array<std::vector<double>, 2>& cover = sliding.effects.current.film.cover;
+  cover = {on_lower(setup_.films[0]), on_upper(setup_.films[1])};
+  for (std::vector<double>& thickness : cover)
+    for (double& value : thickness)
+      value = -value; // heights point out of the body
   auto pair = std::make_unique<CoupledContact>(
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
-      elastoplastic::Textures{
-          textured(setup_.lower_texture, plan_.lower.surface, lattice_.lower_origin(), setup_.beside.lower),
-          textured(setup_.upper_texture, plan_.upper.surface, lattice_.upper_origin(), setup_.beside.upper)},
-      plan_.reference, setup_.sliding);
+      elastoplastic::Textures{on_lower(setup_.lower_texture), on_upper(setup_.upper_texture)}, plan_.reference,
+      sliding);
   for (std::size_t side = 0; side < 2; ++side)
     if (setup_.follows_stress[side])
       pair->keep_trace(side);

@@ -82,6 +82,7 @@ public:
     const elastoplastic::Settings& solver;
     Centre start; ///< a moment when the columns of both bodies coincide
     Texture lower_texture{}, upper_texture{};
+    std::array<Texture, 2> films{}; ///< see `ShapedBody::film`
     Watch watch{};
     elastoplastic::Sliding sliding{};
     std::array<bool, 2> follows_stress{}; ///< whether the stress in all cells of a body is read after each step

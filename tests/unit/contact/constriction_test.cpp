@@ -316,8 +316,7 @@ TEST(Constriction, OnAMirroredGridIsThatOfTheWhole)
 }
 
 /// Temperature of an area under a voltage, and the spread over its cells.
-std::array<double, 2> temperatures(const Area& a, const std::array<Constriction::Conductor, 2>& bodies, double voltage,
-                                   double film)
+std::array<double, 2> temperatures(const Area& a, const std::array<Conductor, 2>& bodies, double voltage, double film)
 {
   const halfspace::SurfaceCompliance compliance(a.grid, modulus);
   Constriction constriction(compliance, modulus);
@@ -329,7 +328,7 @@ std::array<double, 2> temperatures(const Area& a, const std::array<Constriction:
     found.density[i] *= voltage;
     source[i] = film * found.density[i] * found.density[i];
   }
-  const std::vector<double> t = constriction.temperature(a.pressure, found.density, source, bodies);
+  const std::vector<double> t = constriction.heat(a.pressure, found.density, source, bodies).temperature;
   double low = infinite, high = -infinite;
   for (std::size_t i = 0; i < t.size(); ++i)
     if (a.pressure[i] > 0.0)
@@ -400,6 +399,45 @@ TEST(ContactTemperature, OfWiedemannAndFranz)
     }
   const HotConductor copper{.resistivity = 1.713e-8, .conductivity = 400.0};
   EXPECT_NEAR(hot_contact({copper, copper}, 0.1).temperature - 20.0, 0.01 / (8.0 * 1.713e-8 * 400.0), 1e-6);
+}
+
+TEST(ContactTemperature, OfAFilmIsThatOfTheLineThroughTheContact)
+{
+  // Along a tube from one far end to the other, of length 1 in each body, with a film between: d/ds (k dT/ds) = -rho F^2 with
+  // rho F = dphi/ds. The temperatures at the film are equal, and its heat F (drop) flows into both. Integrated by midpoints from
+  // both ends with the flow, the hot contact and its heat as they were found.
+  const HotConductor copper{.resistivity = 1.7e-8, .temperature_coefficient = 4e-3},
+      bronze{.resistivity = 1.2e-7, .temperature_coefficient = 1e-3, .conductivity = 60.0, .temperature = 60.0};
+  const double film = 5e-8, voltage = 0.15;
+  const HotContact hot = hot_contact({copper, bronze}, voltage, film);
+  const auto from_end = [&](const HotConductor& body, double drop, double heat_at_end)
+  {
+    // heat_at_end: k dT/ds at the far end, into the body towards the contact
+    constexpr int steps = 20000;
+    double t = body.temperature, phi = 0.0, flux = heat_at_end;
+    for (int n = 0; n < steps; ++n)
+    {
+      const double ds = 1.0 / steps, half = t + 0.5 * ds * flux / body.conductivity_at(t);
+      const double rho = body.resistivity_at(half);
+      t += ds * (flux - 0.5 * ds * rho * hot.flow * hot.flow) / body.conductivity_at(half);
+      flux -= ds * rho * hot.flow * hot.flow;
+      phi += ds * rho * hot.flow;
+    }
+    EXPECT_NEAR(phi, drop, 1e-5 * voltage);
+    EXPECT_NEAR(t, hot.interface, 1e-3 * (hot.interface - 20.0));
+    return flux; // into the contact, < 0: out of it
+  };
+  const double into_lower = from_end(copper, voltage - hot.contact[0], hot.flow * (voltage - hot.hottest)),
+               into_upper = from_end(bronze, hot.contact[1], hot.flow * hot.hottest);
+  const double drop = hot.contact[0] - hot.contact[1];
+  EXPECT_NEAR(drop, film * hot.flow, 1e-9 * voltage);
+  EXPECT_NEAR(into_lower + into_upper, hot.flow * drop, 1e-4 * hot.flow * voltage);
+  const auto again = hot_contact_of_current({copper, bronze}, hot.flow, film);
+  ASSERT_TRUE(again);
+  EXPECT_NEAR(again->voltage, voltage, 1e-9);
+  const Conductor constant = as_constant({copper, bronze}, hot, 1);
+  EXPECT_NEAR(constant.resistivity, hot.contact[1] / hot.flow, 1e-9 * constant.resistivity);
+  EXPECT_GT(constant.resistivity, bronze.resistivity_at(60.0));
 }
 
 TEST(ContactTemperature, RaisesTheResistance)

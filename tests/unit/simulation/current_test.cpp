@@ -237,7 +237,6 @@ TEST(Current, RefusesWhatCannotFlow)
           [](auto& c) { c.lower.material.electrical->resistivity = 0.0; });
   refused("temperature_coefficient` = -0.1",
           [](auto& c) { c.lower.material.electrical->temperature_coefficient = -0.1; });
-  refused("through a film", [](auto& c) { c.current.film.resistance = 1e-12; });
   refused("2 steps, but `CurrentDrive::voltage` = [0.1, 0.2, 0.3] V has 3 values",
           [](auto& c) {
             c.current = {.voltage = {0.1, 0.2, 0.3}, .steps = {0.0, 1.0}};
@@ -253,6 +252,16 @@ TEST(Current, RefusesWhatCannotFlow)
   refused("not less than the film", [](auto& c) { c.current.film = {.resistance = 2e-12, .limit = 1e-12}; });
   refused("nothing wears", [](auto& c) { c.current.film = {.resistance = 2e-12, .wear = 1.0}; });
   refused("FilmLaw::resistance", [](auto& c) { c.current.film.resistance = -1e-12; });
+  const auto map = [](double thickness)
+  { return HeightMap{.nx = 1, .ny = 1, .dx = 1e-4, .dy = 1e-4, .heights = {thickness}}; };
+  refused("has no resistivity", [&](auto& c) { c.lower.film = map(1e-9); });
+  refused("no surface has a film", [](auto& c) { c.current.film.resistivity = 1.0; });
+  refused("thickness of -1e-09",
+          [&](auto& c)
+          {
+            c.upper.film = map(-1e-9);
+            c.current.film.resistivity = 1.0;
+          });
 }
 
 /// A ball that slides on a flat and is heated by friction and current.
@@ -355,6 +364,73 @@ TEST(Current, FilmGrowsWithTheSlipPath)
   const auto worn = rows_of(c);
   EXPECT_LT(worn.back().film_resistance, 1e-11);
   EXPECT_GE(worn.back().film_resistance, 0.0);
+}
+
+TEST(Current, AUniformCoverIsAFilm)
+{
+  IndentationCase c = ball();
+  c.current = {.voltage = {0.05}, .film = {.resistance = 2e-12}};
+  const auto film = rows_of(c);
+  c.current = {.voltage = {0.05}, .film = {.resistivity = 1e-3}};
+  c.lower.film =
+      HeightMap{.nx = 2, .ny = 2, .dx = 1.0, .dy = 1.0, .heights = {1.5e-9, 1.5e-9, 1.5e-9, 1.5e-9}, .periodic = true};
+  c.upper.film =
+      HeightMap{.nx = 2, .ny = 2, .dx = 1.0, .dy = 1.0, .heights = {0.5e-9, 0.5e-9, 0.5e-9, 0.5e-9}, .periodic = true};
+  const auto cover = rows_of(c);
+  ASSERT_EQ(film.size(), cover.size());
+  for (std::size_t i = 0; i < film.size(); ++i)
+  {
+    if (std::isfinite(film[i].contact_resistance))
+    {
+      EXPECT_NEAR(cover[i].contact_resistance, film[i].contact_resistance, 1e-9 * film[i].contact_resistance) << i;
+    }
+    EXPECT_NEAR(cover[i].film_resistance, film[i].film_resistance, 1e-9 * film[i].film_resistance) << i;
+  }
+}
+
+TEST(Current, APatchOfFilmMovesWithItsSurface)
+{
+  // A body that rolls over a patch of a film: the resistance is that of the clean contact before and after, and rises between.
+  RollingCase c = conducting<RollingCase>();
+  for (constitutive::Material* material : {&c.lower.material, &c.upper.material})
+    material->hardening.reset();
+  c.current = {.voltage = {0.01}};
+  const auto clean = rows_of(c);
+  const double a = plan(c).contact.dx * 8.0;
+  c.current.film.resistivity = 1e-2;
+  c.lower.film = HeightMap{.nx = 9, .ny = 9, .dx = a / 8.0, .dy = a / 8.0, .heights = std::vector<double>(81, 1e-8)};
+  const auto patched = rows_of(c);
+  double most = 0.0;
+  ASSERT_EQ(clean.size(), patched.size());
+  const auto rows_under_load = [](const auto& rows)
+  {
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [](const auto& row) { return std::isfinite(row.contact_resistance); }));
+  };
+  for (std::size_t i = 1; i < rows_under_load(clean); ++i)
+  {
+    EXPECT_GE(patched[i].contact_resistance, clean[i].contact_resistance * (1.0 - 1e-6)) << i;
+    most = std::max(most, patched[i].contact_resistance / clean[i].contact_resistance);
+  }
+  const std::size_t last = rows_under_load(clean) - 1; // the patch has left the contact
+  EXPECT_NEAR(patched[last].contact_resistance, clean[last].contact_resistance, 1e-6 * clean[last].contact_resistance);
+  EXPECT_GT(most, 1.05);
+}
+
+TEST(Current, SoftensTheBodiesUnderAFilmAndOverAPeriod)
+{
+  IndentationCase c = ball();
+  c.lower.material.hardening = constitutive::LinearHardening{300e6, 2e9};
+  c.lower.material.softening = constitutive::LinearSoftening{.reference = 20.0, .melting_point = 1000.0};
+  c.sequence = {{contact::Drive::Kind::load, 20.0}};
+  const auto strain = [&](double voltage, double film)
+  {
+    c.current = {.voltage = {voltage}, .film = {.resistance = film}};
+    return rows_of(c).back().max_equivalent_plastic_strain;
+  };
+  const double cold = strain(0.0, 1e-12), clean = strain(0.2, 0.0), filmed = strain(0.2, 1e-14);
+  EXPECT_GT(clean, 1.2 * cold);
+  EXPECT_NEAR(filmed, clean, 0.05 * (clean - cold)); // a thin film changes little
 }
 
 TEST(Current, SoftensTheBodiesAroundTheSpots)
