@@ -451,8 +451,17 @@ void add_current(Draw& draw, simulation::Numerics& numerics, constitutive::Mater
     if (numerics.friction.coefficient > 0.0 && draw.chance(0.5))
       numerics.current.film.growth = draw.power_of_ten(-12.0, -3.0);
   }
-  // Where heat is computed the bodies feel that of the current, which stays below some 100 K.
+  // Where heat is computed the bodies feel that of the current, V^2/(8 rho k). It stays below 100 K and a thermal strain of 1e-4:
+  // expansion and conductivity are made for the heat of friction and may be those of no metal.
   const bool is_heated = lower.thermal || upper.thermal;
+  double hot_voltage = std::numeric_limits<double>::infinity();
+  for (const constitutive::Material* material : {&lower, &upper})
+    if (material->thermal)
+    {
+      const double rise = std::min(100.0, 1e-4 / material->thermal->expansion);
+      hot_voltage = std::min(
+          hot_voltage, std::sqrt(8.0 * rise * material->electrical->resistivity * material->thermal->conductivity));
+    }
   const int drive = is_heated ? 0 : draw.below(3);
   if (!is_heated && draw.chance(0.3)) // around the spots
     for (constitutive::Material* material : {&lower, &upper})
@@ -461,7 +470,9 @@ void add_current(Draw& draw, simulation::Numerics& numerics, constitutive::Mater
   const int count = drive == 2 ? 0 : 1 + draw.below(3);
   for (int n = 0; n < count; ++n)
   {
-    values.push_back(drive == 0 ? draw.power_of_ten(-4.0, is_heated ? -2.0 : 0.0) : draw.power_of_ten(-4.0, 2.0));
+    values.push_back(is_heated    ? hot_voltage * draw.power_of_ten(-2.0, 0.0)
+                     : drive == 0 ? draw.power_of_ten(-4.0, 0.0)
+                                  : draw.power_of_ten(-4.0, 2.0));
     if (count > 1)
       numerics.current.steps.push_back(3.0 * n + draw.between(0.0, 2.0));
   }
