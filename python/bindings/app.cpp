@@ -126,6 +126,7 @@ void bind_commands(nb::module_& m)
       .def_ro("excludes", &io::Entry::excludes)
       .def_ro("one_of", &io::Entry::one_of)
       .def_ro("pure_if", &io::Entry::pure_if)
+      .def_ro("list", &io::Entry::list)
       .def_ro("text", &io::Entry::text);
   m.def("commands", &app::commands);
   m.def("schema_keys", &io::case_schema, nb::rv_policy::copy);
