@@ -24,6 +24,7 @@ constexpr PythonCommand python_commands[] = {
     {"report", "Write an HTML page on a run, with figures to turn and zoom"},
     {"sweep", "Run a case for many values of its keys"},
     {"fit", "Find unknown keys of a case from measured curves"},
+    {"app", "Open a page to work on, served on this machine only"},
     {"surface", "Make, read, inspect and write surfaces"},
     {"material", "Show what becomes of a measured curve, and materials of standards"},
     {"export", "Convert stored fields for other programs"},

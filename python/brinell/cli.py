@@ -21,6 +21,7 @@ COMMANDS = {
     "report": "brinell.report.cli:report",
     "sweep": "brinell.sweeps.cli:command",
     "fit": "brinell.fits.cli:command",
+    "app": "brinell.app.cli:command",
     "surface": "brinell.surface_commands:surface",
     "material": "brinell.material_commands:material",
     "export": "brinell.export:export",

@@ -41,7 +41,7 @@ def test_no_module_needs_itself() -> None:
 def test_scenarios_are_below_figures_and_reports() -> None:
     """So that `import brinell` stays fast: what draws is imported by the functions that draw."""
     commands = ("cli", "completion", "python_commands")
-    above = tuple(f"brinell.{name}" for name in ("plot", "report", "sweeps", "fits", "asperities", *commands))
+    above = tuple(f"brinell.{name}" for name in ("plot", "report", "sweeps", "fits", "asperities", "app", *commands))
     for module in FILES:
         if module != "brinell" and not module.startswith((*above, "brinell.__main__")):
             assert [name for name in imported(module) if name.startswith(above)] == [], module

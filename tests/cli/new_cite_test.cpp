@@ -109,12 +109,12 @@ TEST_F(Refusals, UnknownScenarioAndCommand)
     names += (names.empty() ? "" : ", ") + name;
   expect_refused({"new", "walking"}, "brinell: error: unknown scenario walking; allowed: " + names + "\n");
   expect_refused({"walk", "case.toml"}, "brinell: error: unknown command walk; allowed: run, check, schema, new, cite, "
-                                        "plot, report, sweep, fit, surface, material, export, completion\n");
+                                        "plot, report, sweep, fit, app, surface, material, export, completion\n");
 }
 
 TEST_F(Refusals, CommandsOfThePythonPackage)
 {
-  for (const char* command : {"plot", "report", "sweep", "fit", "surface", "export", "completion"})
+  for (const char* command : {"plot", "report", "sweep", "fit", "app", "surface", "export", "completion"})
     expect_refused({command, "--help", "x", "--out=y"},
                    "brinell: error: " + std::string(command) +
                        " is a command of brinell's Python package, which is not this program; `pip install .` in "

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The folder of a page: nothing outside it is read or written."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from brinell.errors import InputError, IoError
+
+__all__ = ["Entry", "Folder"]
+
+_DEPTH = 4
+_MOST = 500
+_LARGEST_CASE = 4_000_000  # bytes
+
+
+@dataclass(frozen=True)
+class Entry:
+    """Something that the folder holds."""
+
+    kind: str
+    """case, run, sweep or fit."""
+    name: str
+    """Path from the folder, with slashes."""
+    changed: float
+    """Time of the last change [s since 1970]."""
+    complete: bool = True
+    """Of a run: whether it has finished."""
+
+
+class Folder:
+    """A folder with cases and results."""
+
+    def __init__(self, root: Path):
+        """Opens the folder.
+
+        Args:
+            root: the folder; it must exist.
+
+        Raises:
+            InputError: it is no folder.
+        """
+        if not root.is_dir():
+            raise InputError(f"{root}: no such folder")
+        self.root = root.resolve()
+
+    def inside(self, name: str) -> Path:
+        """Path of something in the folder.
+
+        Args:
+            name: path from the folder, with slashes.
+
+        Raises:
+            InputError: the name leads outside, also over a link, or names something hidden.
+        """
+        parts = PurePosixPath(name).parts if name and "\0" not in name and "\\" not in name else ()
+        if not parts or len(name) > 1000 or name.startswith("/") or any(part.startswith(".") for part in parts):
+            raise InputError(
+                f"{name[:200]!r} is no name in the folder; allowed: names and slashes, none with a dot first"
+            )
+        path = self.root.joinpath(*parts)
+        try:
+            inside = path.resolve().is_relative_to(self.root)
+        except (OSError, RuntimeError) as error:
+            raise InputError(f"{name[:200]!r} cannot be reached: {error}") from error
+        if not inside:
+            raise InputError(f"{name!r} leads outside the folder {self.root}")
+        return path
+
+    def result(self, name: str) -> Path:
+        """Folder of a result, none of whose files is a link that leads outside.
+
+        Raises:
+            InputError: the name is not allowed, or there is no such folder.
+        """
+        path = self.inside(name)
+        if not path.is_dir():
+            raise InputError(f"{name[:200]!r} is no result")
+        for file in path.iterdir():
+            if file.is_symlink() and not file.resolve().is_relative_to(self.root):
+                raise InputError(f"{self.name_of(file)} leads outside the folder {self.root}")
+        return path
+
+    def name_of(self, path: Path) -> str:
+        """Path from the folder, with slashes."""
+        return path.relative_to(self.root).as_posix()
+
+    def entries(self) -> list[Entry]:
+        """Cases, runs, sweeps and fits, those changed last first."""
+        found = []
+        for entry in self._walk(self.root, 0):
+            found.append(entry)
+            if len(found) == _MOST:
+                break
+        return sorted(found, key=lambda one: -one.changed)
+
+    def _walk(self, folder: Path, depth: int) -> Iterator[Entry]:
+        try:
+            here = sorted(os.scandir(folder), key=lambda one: one.name)
+        except OSError:
+            return
+        names = {one.name: one for one in here if one.is_file(follow_symlinks=False)}
+        if depth and "history.csv" in names:
+            yield self._entry("run", folder, names["history.csv"], "summary.json" in names)
+            return
+        kind = "sweep" if "sweep.json" in names else "fit" if "fit.json" in names else ""
+        if depth and kind:
+            yield self._entry(kind, folder, names[f"{kind}.json"])
+            if kind == "fit":
+                return
+        for one in names.values():
+            if one.name.endswith(".toml") and not one.name.startswith(".") and _is_case(one):
+                yield self._entry("case", Path(one.path), one)
+        if depth < _DEPTH:
+            for one in here:
+                if one.is_dir(follow_symlinks=False) and not one.name.startswith("."):
+                    yield from self._walk(Path(one.path), depth + 1)
+
+    def _entry(self, kind: str, path: Path, file: os.DirEntry[str], complete: bool = True) -> Entry:
+        return Entry(kind, self.name_of(path), file.stat(follow_symlinks=False).st_mtime, complete)
+
+    def read_case(self, name: str) -> str:
+        """Text of a case file.
+
+        Raises:
+            InputError: it is no case file in the folder.
+        """
+        path = self._case_path(name)
+        try:
+            if not path.is_file() or path.stat().st_size > _LARGEST_CASE:
+                raise InputError(f"{name!r} is no case file")
+            return path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(f"{name!r} cannot be read: {error}") from error
+
+    def write_case(self, name: str, text: str, *, replace: bool) -> Path:
+        """Writes a case file, as a whole or not at all.
+
+        Args:
+            name: path from the folder; it ends in .toml.
+            text: text of the case.
+            replace: whether an earlier file of that name is replaced.
+
+        Raises:
+            InputError: the name is not allowed, or the file exists and is to be kept.
+            IoError: the file cannot be written; an earlier one is then as before.
+        """
+        path = self._case_path(name)
+        if path.exists() and not replace:
+            raise InputError(f"{name} exists already")
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(path, text)
+        except OSError as error:
+            raise IoError(f"{name} could not be written: {error.strerror or error}") from error
+        return path
+
+    def _case_path(self, name: str) -> Path:
+        if not name.endswith(".toml"):
+            raise InputError(f"{name[:200]!r} is no case file; allowed: names that end in .toml")
+        return self.inside(name)
+
+    def new_results(self, name: str) -> Path:
+        """Makes an empty folder for results, results/NAME or one with a number after it.
+
+        Raises:
+            InputError: the name is not allowed.
+            IoError: the folder cannot be made.
+        """
+        base = self.inside(f"results/{name}")
+        if len(PurePosixPath(name).parts) != 1:
+            raise InputError(f"{name!r} is no name of results; allowed: one without a slash")
+        try:
+            base.parent.mkdir(exist_ok=True)
+            for number in range(1, 10_000):
+                path = base if number == 1 else base.with_name(f"{base.name}-{number}")
+                try:
+                    path.mkdir()
+                except FileExistsError:
+                    continue
+                return path
+        except OSError as error:
+            raise IoError(f"results/{name} could not be made: {error.strerror or error}") from error
+        raise IoError(f"results/{name} could not be made: there are too many of this name")
+
+
+def _is_case(file: os.DirEntry[str]) -> bool:
+    """Whether a TOML file is a case: it begins with a scenario, and is no resolved case of a run."""
+    if file.name == "resolved.toml" or file.stat(follow_symlinks=False).st_size > _LARGEST_CASE:
+        return False
+    try:
+        with open(file.path, encoding="utf-8") as text:
+            return any(line.lstrip().startswith("scenario") for line in text)
+    except (OSError, UnicodeDecodeError):
+        return False
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Writes a file as a whole or not at all, also where the disk is full.
+
+    Raises:
+        OSError: it could not be written; an earlier file is then as before.
+    """
+    descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=".", suffix=".part")
+    try:
+        with open(descriptor, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def json_of(path: Path) -> dict[str, object]:
+    """Content of a JSON file; empty if it cannot be read."""
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) else {}

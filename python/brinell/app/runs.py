@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs and sweeps of the page: one at a time, each a process of its own that writes as `brinell run` does."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import signal
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from brinell.app.folder import Folder
+from brinell.errors import InputError
+
+__all__ = ["Job", "Jobs"]
+
+State = Literal["waiting", "running", "finished", "stopped", "failed"]
+
+_MOST_WAITING = 50
+
+
+@dataclass
+class Job:
+    """A run or a sweep of this server."""
+
+    name: str
+    """Its folder."""
+    task: Mapping[str, Any]
+    state: State = "waiting"
+    done: int = 0
+    of: int = 0
+    place: str = ""
+    error: str = ""
+    process: asyncio.subprocess.Process | None = field(default=None, repr=False)
+
+    def as_json(self) -> dict[str, Any]:
+        """For the page."""
+        return {name: getattr(self, name) for name in ("name", "state", "done", "of", "place", "error")}
+
+
+class Jobs:
+    """The runs of this server, in the order in which they were begun."""
+
+    def __init__(self, folder: Folder):
+        """Begins without any.
+
+        Args:
+            folder: where their results go.
+        """
+        self._folder = folder
+        self._jobs: dict[str, Job] = {}
+        self._turn = asyncio.Semaphore(1)
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    def begin(self, name: str, task: Mapping[str, Any]) -> Job:
+        """Begins a run, once those before it have ended.
+
+        Args:
+            name: name of its folder.
+            task: what `brinell.app.runner` reads.
+
+        Raises:
+            InputError: too many runs are waiting, or this one is still running.
+        """
+        if sum(job.state in ("waiting", "running") for job in self._jobs.values()) >= _MOST_WAITING:
+            raise InputError(f"{_MOST_WAITING} runs are waiting already")
+        earlier = self._jobs.get(name)
+        if earlier is not None and earlier.state in ("waiting", "running"):
+            raise InputError(f"{name} is still running")
+        self._jobs.pop(name, None)
+        job = self._jobs[name] = Job(name, {**task, "output": str(self._folder.inside(name))})
+        following = asyncio.create_task(self._follow(job))
+        self._tasks.add(following)
+        following.add_done_callback(self._tasks.discard)
+        return job
+
+    async def _follow(self, job: Job) -> None:
+        async with self._turn:
+            if job.state != "waiting":
+                return
+            job.process = await asyncio.create_subprocess_exec(
+                sys.executable,
+                "-m",
+                "brinell.app.runner",
+                stdin=asyncio.subprocess.PIPE,
+                stdout=asyncio.subprocess.PIPE,
+                stderr=asyncio.subprocess.DEVNULL,
+                start_new_session=True,  # Ctrl-C in the terminal of the server is for the server
+            )
+            job.state = "running"
+            assert job.process.stdin is not None
+            assert job.process.stdout is not None
+            job.process.stdin.write(json.dumps(job.task).encode())
+            job.process.stdin.close()
+            async for line in job.process.stdout:
+                self._hear(job, line)
+            code = await job.process.wait()
+            if job.state == "running":
+                job.state = "failed"
+                job.error = job.error or f"the process has ended with {code}"
+
+    def _hear(self, job: Job, line: bytes) -> None:
+        try:
+            message = json.loads(line)
+        except ValueError:
+            return
+        if "done" in message:
+            job.done, job.of, job.place = message["done"], message["of"], message["place"]
+        elif "error" in message:
+            job.state, job.error = "failed", message["error"]
+        elif "stopped" in message:
+            job.state = "stopped"
+        elif "finished" in message:
+            job.state = "finished"
+            job.done = job.of = max(job.done, job.of)
+
+    def get(self, name: str) -> Job | None:
+        """The job of a folder, if this server has begun it."""
+        return self._jobs.get(name)
+
+    def all(self) -> list[Job]:
+        """The jobs, that begun last first."""
+        return list(reversed(self._jobs.values()))
+
+    def stop(self, name: str) -> Job:
+        """Stops a run after its current step; one that waits does not begin.
+
+        Raises:
+            InputError: there is no such run.
+        """
+        job = self._jobs.get(name)
+        if job is None or job.state not in ("waiting", "running"):
+            raise InputError(f"{name[:200]!r} is not running")
+        if job.process is None:
+            job.state = "stopped"
+        elif job.process.returncode is None:
+            os.kill(job.process.pid, signal.SIGINT)
+        return job
+
+    async def close(self) -> None:
+        """Stops all, so that their finished steps can be read and resumed."""
+        for job in self._jobs.values():
+            if job.state in ("waiting", "running"):
+                self.stop(job.name)
+        if self._tasks:
+            await asyncio.wait(self._tasks, timeout=10.0)

@@ -1,0 +1,362 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The server of the page: addresses, and what each of them does."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import csv
+import json
+import os
+import uuid
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
+from dataclasses import asdict
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, cast
+
+from starlette.applications import Starlette
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import JSONResponse, Response, StreamingResponse
+from starlette.routing import Route
+
+import brinell
+from brinell import _core
+from brinell.app import forms, tasks
+from brinell.app.case_text import text_of, values_of
+from brinell.app.checking import values_that_apply
+from brinell.app.folder import Folder
+from brinell.app.guard import Guard, RefusedError
+from brinell.app.materials import Materials
+from brinell.app.runs import Job, Jobs
+from brinell.app.workers import Worker, WorkerLostError
+from brinell.errors import BrinellError, InputError
+
+__all__ = ["Server", "application"]
+
+_STATIC = {f"{name}.js": "text/javascript" for name in ("form", "plots", "app", "page")} | {"app.css": "text/css"}
+_MOST_SWEPT = 200
+
+
+def application(folder: Path, materials: Path, token: str, port: int) -> Guard:
+    """The page of a folder.
+
+    Args:
+        folder: folder with cases and results.
+        materials: file of the user's own materials.
+        token: secret of the page's address.
+        port: port of the server.
+
+    Raises:
+        InputError: the folder does not exist.
+    """
+    return Guard(cast(Any, Server(Folder(folder), Materials(materials), token).app), token, port)
+
+
+class Server:
+    """What the page asks for."""
+
+    def __init__(self, folder: Folder, materials: Materials, token: str):
+        """Makes the application; its workers begin with it."""
+        self._folder = folder
+        self._materials = materials
+        self._token = token
+        self._checker = Worker("brinell-check", "brinell.app.tasks")
+        self._previewer = Worker("brinell-preview", "brinell.app.tasks", "brinell.app.pictures")
+        self._painter = Worker("brinell-pictures", "brinell.app.pictures")
+        self._templates: dict[str, dict[str, Any]] = {}
+        self._previews: dict[str, str] = {}
+        self._jobs: Jobs | None = None
+        self.app = Starlette(routes=self._routes(), lifespan=self._lifespan, exception_handlers=_handlers())
+
+    def _routes(self) -> list[Route]:
+        plain: list[tuple[str, str, Callable[[Request], Awaitable[Response]]]] = [
+            ("GET", "/", self._page),
+            ("GET", "/static/{name}", self._static),
+            ("GET", "/api/start", self._start),
+            ("GET", "/api/files", self._files),
+            ("GET", "/api/template", self._template),
+            ("GET", "/api/case", self._read_case),
+            ("PUT", "/api/case", self._write_case),
+            ("POST", "/api/parse", self._parse),
+            ("POST", "/api/check", self._check),
+            ("POST", "/api/run", self._run),
+            ("POST", "/api/sweep", self._sweep),
+            ("POST", "/api/stop", self._stop),
+            ("POST", "/api/resume", self._resume),
+            ("POST", "/api/preview", self._preview),
+            ("GET", "/api/history", self._history),
+            ("GET", "/api/outline", self._outline),
+            ("POST", "/api/picture", self._picture),
+            ("GET", "/api/figures", self._figures),
+            ("PUT", "/api/material", self._store_material),
+            ("DELETE", "/api/material", self._remove_material),
+        ]
+        by_path: dict[str, dict[str, Any]] = {}
+        for method, path, do in plain:
+            by_path.setdefault(path, {})[method] = do
+        return [Route(path, _by_method(methods), methods=list(methods)) for path, methods in by_path.items()]
+
+    @contextlib.asynccontextmanager
+    async def _lifespan(self, _app: Starlette) -> AsyncIterator[None]:
+        self._jobs = Jobs(self._folder)
+        for worker in (self._checker, self._previewer):  # the painter begins with the first picture
+            await asyncio.to_thread(worker.start)
+        yield
+        await self._jobs.close()
+        for worker in (self._checker, self._previewer, self._painter):
+            worker.close()
+
+    @property
+    def jobs(self) -> Jobs:
+        """Runs that this server has begun."""
+        assert self._jobs is not None
+        return self._jobs
+
+    # --- The page and its files ---------------------------------------------------------------------------------------
+    async def _page(self, _request: Request) -> Response:
+        text = _resource("index.html").replace("TOKEN", self._token).replace("VERSION", brinell.__version__)
+        return Response(text, media_type="text/html")
+
+    async def _static(self, request: Request) -> Response:
+        name = request.path_params["name"]
+        if name == "plotly.js":
+            return Response(await asyncio.to_thread(_plotly), media_type="text/javascript")
+        if name not in _STATIC:
+            raise RefusedError(404, "there is no such file")
+        return Response(_resource(name), media_type=_STATIC[name])
+
+    async def _start(self, _request: Request) -> Response:
+        columns = {
+            scenario: [{"name": c.name, "unit": c.unit, "text": c.text} for c in listed]
+            for scenario, listed in _core.columns().items()
+        }
+        from brinell.app.pictures import titles
+
+        return JSONResponse(
+            {
+                "form": forms.as_json(),
+                "columns": columns,
+                "titles": titles(),
+                "folder": str(self._folder.root),
+                "materials": self._materials.all(),
+                "longest_preview": tasks.LONGEST_PREVIEW,
+            }
+        )
+
+    async def _files(self, _request: Request) -> Response:
+        entries = await asyncio.to_thread(self._folder.entries)
+        jobs = [self._told(job) for job in self.jobs.all()]
+        return JSONResponse({"entries": [asdict(one) for one in entries], "jobs": jobs})
+
+    def _told(self, job: Job) -> dict[str, Any]:
+        """A job; of a sweep its finished runs."""
+        told = job.as_json()
+        if job.task["kind"] == "sweep":
+            runs = Path(job.task["output"]) / "runs"
+            told["done"] = sum(1 for _ in runs.glob("*/summary.json"))
+            told["of"] = len(job.task["values"])
+        return {**told, "kind": job.task["kind"]}
+
+    # --- Cases --------------------------------------------------------------------------------------------------------
+    async def _template(self, request: Request) -> Response:
+        scenario = request.query_params.get("scenario", "")
+        if scenario not in forms.form()["scenario"].choices:
+            raise InputError(f"{scenario[:50]!r} is no scenario")
+        if scenario not in self._templates:
+            self._templates[scenario] = values_of(await self._checker.call(tasks.template, scenario))
+        return JSONResponse({"values": self._templates[scenario]})
+
+    async def _read_case(self, request: Request) -> Response:
+        text = self._folder.read_case(request.query_params.get("name", ""))
+        return JSONResponse({"values": values_of(text), "has_comments": "#" in text})
+
+    async def _write_case(self, request: Request) -> Response:
+        body = await _body(request, name=str, values=dict, replace=bool)
+        text = text_of(body["values"]).text
+        self._folder.write_case(body["name"], text, replace=body["replace"])
+        return JSONResponse({"name": body["name"]})
+
+    async def _parse(self, request: Request) -> Response:
+        body = await _body(request, text=str)
+        return JSONResponse({"values": values_of(body["text"])})
+
+    async def _check(self, request: Request) -> Response:
+        body = await _body(request, values=dict, park=bool)
+        values = values_that_apply(body["values"]) if body["park"] else body["values"]
+        result = await self._checker.call(tasks.check, values, str(self._folder.root), timeout=30.0)
+        parked = {key: value for key, value in body["values"].items() if key not in values}
+        return JSONResponse({**result, "parked": parked})
+
+    # --- Runs ---------------------------------------------------------------------------------------------------------
+    async def _run(self, request: Request) -> Response:
+        body = await _body(request, values=dict, name=str)
+        text = await self._valid_text([body["values"]])
+        path = self._folder.new_results(body["name"])
+        task = self._task("run", text)
+        return JSONResponse(self.jobs.begin(self._folder.name_of(path), task).as_json())
+
+    async def _valid_text(self, cases: list[dict[str, Any]]) -> str:
+        """Text of the first of some cases, which are all valid."""
+        text: str = await self._checker.call(tasks.valid_text, cases, str(self._folder.root))
+        return text
+
+    def _task(self, kind: str, text: str) -> dict[str, Any]:
+        file = str(self._folder.root / "case.toml")
+        return {"kind": kind, "text": text, "file": file, "resume": False, "threads": None}
+
+    async def _sweep(self, request: Request) -> Response:
+        body = await _body(request, values=dict, name=str, key=str, over=list)
+        if not 2 <= len(body["over"]) <= _MOST_SWEPT:
+            raise InputError(f"{len(body['over'])} values; allowed: 2 to {_MOST_SWEPT}")
+        text = await self._valid_text(
+            [body["values"], *({**body["values"], body["key"]: value} for value in body["over"])]
+        )
+        path = self._folder.new_results(body["name"])
+        workers = max(1, (os.cpu_count() or 2) - 1)
+        task = self._task("sweep", text) | {"key": body["key"], "values": body["over"], "workers": workers}
+        return JSONResponse(self.jobs.begin(self._folder.name_of(path), task).as_json())
+
+    async def _stop(self, request: Request) -> Response:
+        body = await _body(request, name=str)
+        return JSONResponse(self.jobs.stop(body["name"]).as_json())
+
+    async def _resume(self, request: Request) -> Response:
+        body = await _body(request, name=str)
+        outline = await self._painter.call(tasks.outline, str(self._folder.root), body["name"])
+        if outline is None or not outline["values"]:
+            raise InputError(f"nothing of {body['name']} is kept that could be resumed")
+        if outline["complete"]:
+            raise InputError(f"{body['name']} has finished already")
+        task = self._task("run", await self._valid_text([outline["values"]])) | {"resume": True}
+        return JSONResponse(self.jobs.begin(body["name"], task).as_json())
+
+    async def _preview(self, request: Request) -> Response:
+        body = await _body(request, values=dict, shown=dict, tab=str)
+        tab = body["tab"][:50]
+        mine = self._previews[tab] = uuid.uuid4().hex
+        if len(self._previews) > 1000:
+            self._previews = {tab: mine}
+
+        async def lines() -> AsyncIterator[bytes]:
+            things = self._previewer.stream(
+                tasks.preview, values_that_apply(body["values"]), str(self._folder.root), body["shown"]
+            )
+            try:
+                async for thing in things:
+                    if self._previews.get(tab) != mine:  # the slider has moved on
+                        break
+                    yield json.dumps(thing).encode() + b"\n"
+            except BrinellError as error:
+                yield json.dumps({"error": str(error)}).encode() + b"\n"
+            finally:
+                await cast(Any, things).aclose()
+
+        return StreamingResponse(lines(), media_type="application/x-ndjson")
+
+    # --- Results ------------------------------------------------------------------------------------------------------
+    async def _history(self, request: Request) -> Response:
+        name = request.query_params.get("name", "")
+        first = request.query_params.get("from", "0")
+        path = self._folder.result(name) / "history.csv"
+        job = self.jobs.get(name)
+        columns = await asyncio.to_thread(_rows_of, path, int(first) if first.isdecimal() else 0)
+        complete = (path.parent / "summary.json").is_file()
+        return JSONResponse({"columns": columns, "complete": complete, "job": self._told(job) if job else None})
+
+    async def _outline(self, request: Request) -> Response:
+        return await self._painted(tasks.outline, request.query_params.get("name", ""))
+
+    async def _painted(self, task: Any, *arguments: Any) -> Response:
+        return JSONResponse(await self._painter.call(task, str(self._folder.root), *arguments))
+
+    async def _picture(self, request: Request) -> Response:
+        body = await _body(request, name=str, state=str, shown=dict)
+        return await self._painted(tasks.image, body["name"], body["state"], body["shown"])
+
+    async def _figures(self, request: Request) -> Response:
+        return await self._painted(tasks.figures, request.query_params.get("name", ""))
+
+    # --- Materials ----------------------------------------------------------------------------------------------------
+    async def _store_material(self, request: Request) -> Response:
+        body = await _body(request, name=str, source=str, values=dict)
+        self._materials.store(body["name"].strip(), body["source"], body["values"])
+        return JSONResponse({"materials": self._materials.all()})
+
+    async def _remove_material(self, request: Request) -> Response:
+        body = await _body(request, name=str)
+        self._materials.remove(body["name"])
+        return JSONResponse({"materials": self._materials.all()})
+
+
+def _by_method(methods: Mapping[str, Callable[[Request], Awaitable[Response]]]) -> Any:
+    async def do(request: Request) -> Response:
+        method = "GET" if request.method == "HEAD" else request.method
+        return await methods[method](request)
+
+    return do
+
+
+def _resource(name: str) -> str:
+    return (files("brinell.app") / "static" / name).read_text(encoding="utf-8")
+
+
+def _plotly() -> str:
+    from plotly.offline import get_plotlyjs
+
+    return cast(str, get_plotlyjs())
+
+
+async def _body(request: Request, **members: type) -> dict[str, Any]:
+    """The body of a request.
+
+    Raises:
+        InputError: it is no JSON object with these members.
+    """
+    try:
+        body = json.loads(await request.body(), parse_constant=_refuse_constant)
+    except (ValueError, RecursionError) as error:
+        raise InputError("the body is not JSON") from error
+    if not isinstance(body, dict) or set(body) - set(members):
+        raise InputError(f"the body is not an object with {', '.join(members)}")
+    for name, kind in members.items():
+        if not isinstance(body.get(name), kind):
+            raise InputError(f"{name} is missing, or not of its type")
+    return body
+
+
+def _refuse_constant(name: str) -> Any:
+    raise ValueError(name)
+
+
+def _rows_of(path: Path, first: int) -> dict[str, list[float | None]]:
+    """Columns of a history from a row on, also of one that is being written."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError:
+        return {}
+    lines = text[: text.rfind("\n") + 1].splitlines()
+    if not lines:
+        return {}
+    names = next(csv.reader(lines[:1]))
+    rows = [row for row in csv.reader(lines[1 + first :]) if len(row) == len(names)]
+    return {name: [_number(row[i]) for row in rows] for i, name in enumerate(names)}
+
+
+def _number(text: str) -> float | None:
+    value = float(text) if text else float("nan")
+    return value if value - value == 0.0 else None
+
+
+def _handlers() -> dict[Any, Any]:
+    async def wrong(_request: Request, error: Exception) -> Response:
+        status = 503 if isinstance(error, WorkerLostError) else 422
+        return JSONResponse({"error": str(error)}, status_code=status)
+
+    async def refused(_request: Request, error: Exception) -> Response:
+        return JSONResponse({"error": str(error)}, status_code=cast(RefusedError, error).status)
+
+    async def gone(_request: Request, _error: Exception) -> Response:
+        return Response(status_code=499)
+
+    return {BrinellError: wrong, OSError: wrong, RefusedError: refused, ClientDisconnect: gone}

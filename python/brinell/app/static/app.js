@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page: the case, its runs, and what is shown of them.
+"use strict";
+
+const TOKEN = new URLSearchParams(location.search).get("token") ?? "";
+const TAB = crypto.randomUUID();
+const LIVE_SECONDS = 5; // a case that is foretold to take no longer follows its changes
+const FIRST_AXES = { tugging: ["X", "F_X"], indentation: ["approach", "F_n"], rolling: ["x", "F_X"], fretting: ["displacement", "F_x"], sliding: ["way", "friction"] };
+const $ = (id) => document.getElementById(id);
+
+const page = { values: {}, parked: {}, changed: false, checked: { errors: [], warnings: [], applies: {}, text: "", report: "", forecast: "", seconds: 0 }, name: "", shown: [], live: null, before: null, outlines: new Map(), measured: null, entries: [], jobs: [], pictures: new Map() };
+let start = null, form = null;
+
+/** What the server answers; an error has its text. */
+async function ask(method, path, body, signal) {
+  const answer = await fetch(path, { method, signal, headers: { "X-Brinell-Token": TOKEN, ...(body ? { "Content-Type": "application/json" } : {}) }, body: body ? JSON.stringify(body) : undefined });
+  if (path === "/api/preview" && answer.ok) return answer;
+  const content = await answer.json().catch(() => ({ error: `the server answers ${answer.status}` }));
+  if (!answer.ok) throw new Error(content.error ?? `the server answers ${answer.status}`);
+  return content;
+}
+
+const tell = (text) => { $("curve-note").textContent = text; };
+
+// --- The case -------------------------------------------------------------------------------------------------------
+async function open(values, name) {
+  Object.assign(page, { values, parked: {}, name, live: null, before: null, changed: false });
+  $("case-name").textContent = name || "new case";
+  form.sliders.clear();
+  await check(false);
+  chooseAxes();
+  follow();
+}
+
+/** Takes over changes of values; with `parks`, values that no longer apply are put aside, and come back later. */
+async function change(changes, parks) {
+  page.changed = true;
+  for (const [key, value] of Object.entries(changes)) value === undefined ? delete page.values[key] : (page.values[key] = value);
+  const scenario = changes.scenario;
+  if (scenario && form.sections.some((section) => section.table === scenario)) return open((await ask("GET", `/api/template?scenario=${scenario}`)).values, "");
+  await check(parks);
+  follow();
+}
+
+let turn = 0;
+async function check(parks) {
+  const mine = ++turn;
+  let checked;
+  try {
+    checked = await ask("POST", "/api/check", { values: page.values, park: Boolean(parks) });
+    if (mine !== turn) return;
+    const back = Object.keys(page.parked).filter((key) => checked.applies[key] && !(key in page.values));
+    for (const [key, value] of Object.entries(checked.parked)) { page.parked[key] = value; delete page.values[key]; }
+    if (parks && back.length) {
+      for (const key of back) { page.values[key] = page.parked[key]; delete page.parked[key]; }
+      checked = await ask("POST", "/api/check", { values: page.values, park: false });
+      if (mine !== turn) return;
+    }
+  } catch (error) {
+    checked = { ...page.checked, errors: [{ key: "", line: 0, text: error.message }] };
+  }
+  page.checked = checked;
+  drawCase();
+}
+
+function drawCase() {
+  const { errors, warnings, forecast } = page.checked;
+  form.draw(page.values, page.checked, start.materials);
+  $("run").disabled = errors.length > 0;
+  $("forecast").textContent = errors.length ? `${errors.length} ${errors.length === 1 ? "problem" : "problems"}` : forecast;
+  const item = (one) => h("li", {}, one.key ? h("button", { type: "button", class: "link", onclick: () => form.show(one.key) }, one.text) : one.text);
+  const unplaced = warnings.filter((one) => !document.querySelector(`[data-key="${CSS.escape(one.key)}"]`));
+  $("problems").replaceChildren(
+    errors.length ? h("div", { class: "wrong" }, h("strong", {}, errors.length === 1 ? "One problem" : `${errors.length} problems`), h("ul", {}, errors.map(item))) : "",
+    unplaced.length ? h("div", { class: "warn" }, h("strong", {}, "To be known of the result"), h("ul", {}, unplaced.map(item))) : "");
+  drawTexts();
+  drawSweepKeys();
+}
+
+/** The case as text, and the command and the Python that run it. */
+function drawTexts() {
+  const { text, report } = page.checked;
+  const file = page.name || "case.toml", folder = `results/${baseName()}`;
+  $("toml").textContent = text;
+  $("report").textContent = report || "There are problems.";
+  const first = page.name && !page.changed ? "" : "# after the case is saved\n";
+  $("command").textContent = `${first}brinell run ${quoted(file)} -o ${quoted(folder)}`;
+  $("python").textContent = `${first}import brinell\n\ncase = brinell.Case.from_file(${JSON.stringify(file)})\nrun = case.run(${JSON.stringify(folder)})\nprint(run.history[${JSON.stringify($("y").value || "step")}])`;
+}
+
+const quoted = (text) => (/^[\w./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+const baseName = () => (page.name.replace(/\.toml$/, "").replace(/\/case$/, "").split("/").at(-1) || page.values.scenario || "case").replace(/^\.+/, "");
+
+// --- Small cases follow their changes -------------------------------------------------------------------------------
+const preview = { abort: null, next: null, running: null };
+
+/** Runs the case at once if it is small; `waits`: after the present run, as while a slider moves. */
+function follow(waits = false) {
+  const { errors, seconds } = page.checked, isShort = seconds > 0 && seconds <= LIVE_SECONDS;
+  if (!$("follow").checked || errors.length || !isShort) {
+    preview.abort?.abort();
+    if (!errors.length && page.live) { page.live = null; drawShown(); drawCurve(); }
+    tell(!$("follow").checked ? "" : errors.length ? (page.live ? "The curve is that of the case before its problems." : "") : "This case takes too long to follow its changes; run it.");
+    return;
+  }
+  if (waits && preview.abort) { preview.next = { ...page.values }; return; }
+  preview.next = null;
+  preview.abort?.abort();
+  preview.running = stream({ ...page.values });
+}
+
+async function stream(values) {
+  const abort = (preview.abort = new AbortController());
+  const begun = performance.now(), live = { columns: {}, done: false, picture: null };
+  try {
+    const answer = await ask("POST", "/api/preview", { values, shown: { kind: $("kind").value, name: $("field").value }, tab: TAB }, abort.signal);
+    const reader = answer.body.pipeThrough(new TextDecoderStream()).getReader();
+    for (let text = "", part = await reader.read(); !part.done; part = await reader.read()) {
+      text += part.value;
+      const lines = text.split("\n");
+      text = lines.pop();
+      for (const line of lines) take(JSON.parse(line), live, begun, values.scenario);
+    }
+    live.done = true;
+  } catch (error) {
+    if (error.name !== "AbortError") tell(error.message);
+  }
+  if (preview.abort !== abort) return;
+  preview.abort = null;
+  if (preview.next) { const next = preview.next; preview.next = null; stream(next); }
+}
+
+function take(thing, live, begun, scenario) {
+  if (thing.error) return tell(thing.error);
+  if (thing.picture) { live.picture = thing.picture; if (page.live === live) drawPictures(); return; }
+  for (const [name, values] of Object.entries(thing.columns ?? {})) live.columns[name] = [...(live.columns[name] ?? []), ...values];
+  if (page.live !== live) { page.before = page.live?.done && page.live.scenario === scenario ? page.live : page.before; Object.assign(live, { scenario }); page.live = live; chooseAxes(); drawShown(); }
+  live.done = thing.seconds !== undefined;
+  drawCurve().then(() => {
+    if (!live.done) return;
+    const took = (performance.now() - begun) / 1000;
+    document.body.dataset.took = took.toFixed(3);
+    tell(`${live.columns.step?.length ?? 0} steps in ${took.toFixed(2)} s, as drawn`);
+  });
+}
+
+// --- Runs -----------------------------------------------------------------------------------------------------------
+async function run() {
+  try {
+    const job = await ask("POST", "/api/run", { values: page.values, name: baseName() });
+    preview.abort?.abort();
+    Object.assign(page, { live: null, before: null });
+    await refresh();
+    show(job.name);
+  } catch (error) { tell(error.message); }
+}
+
+async function refresh() {
+  const { entries, jobs } = await ask("GET", "/api/files");
+  Object.assign(page, { entries, jobs });
+  const names = (kind) => entries.filter((one) => one.kind === kind);
+  fill($("open"), "a case of the folder", names("case").map((one) => one.name));
+  const runs = names("run").filter((one) => !/\/runs\/\d+$/.test(one.name)).map((one) => one.name);
+  fill($("add-run"), runs.length ? "…" : "none yet", runs);
+  const kept = $("figures-of").value, results = [...runs, ...names("sweep").map((one) => one.name), ...names("fit").map((one) => one.name)];
+  $("figures-of").replaceChildren(...results.map((name) => h("option", { value: name }, name)));
+  if (results.includes(kept)) $("figures-of").value = kept;
+  drawJobs();
+}
+
+function fill(select, title, names) {
+  if (select.options.length === names.length + 1 && names.every((name, i) => select.options[i + 1].value === name)) return;
+  select.replaceChildren(h("option", { value: "" }, title), ...names.map((name) => h("option", { value: name }, name)));
+}
+
+function drawJobs() {
+  const active = page.jobs.filter((job) => job.state === "running" || job.state === "waiting" || (job.state === "failed" && !job.seen) || job.state === "stopped");
+  $("jobs").replaceChildren(...active.map((job) => h("div", { class: "job" }, h("span", {}, job.name),
+    job.state === "running" ? h("progress", { max: job.of || 1, value: job.done, "aria-label": `Progress of ${job.name}` }) : null,
+    h("span", { class: job.state === "failed" ? "error" : "quiet" }, job.state === "running" ? (job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins") : job.state === "failed" ? job.error : job.state),
+    job.state === "stopped" && job.kind === "run" ? h("button", { onclick: () => act("/api/resume", job.name) }, "Go on") : null,
+    job.state === "running" || job.state === "waiting" ? h("button", { onclick: () => act("/api/stop", job.name) }, "Stop") : null)));
+}
+
+async function act(path, name) {
+  try { await ask("POST", path, { name }); } catch (error) { tell(error.message); }
+  await refresh();
+}
+
+/** Follows what runs, also runs of other tabs. */
+async function watch() {
+  const busy = page.jobs.some((job) => job.state === "running" || job.state === "waiting");
+  try {
+    const before = JSON.stringify(page.jobs);
+    await refresh();
+    for (const one of page.shown) if (!one.complete) await more(one);
+    if (before !== JSON.stringify(page.jobs)) await ended(JSON.parse(before));
+  } catch { tell("The server has ended; its runs are in the folder."); }
+  setTimeout(watch, busy || page.jobs.some((job) => job.state === "running") ? 250 : 2000);
+}
+
+async function ended(before) {
+  for (const job of page.jobs) {
+    const was = before.find((one) => one.name === job.name);
+    if (job.kind === "sweep" && job.state === "finished" && was?.state !== "finished") showSweep(job.name);
+  }
+}
+
+/** Shows a run beside the others. */
+async function show(name) {
+  if (page.shown.some((one) => one.name === name)) return;
+  const used = new Set(page.shown.map((one) => one.place));
+  let place = 0;
+  while (used.has(place)) place += 1;
+  const one = { name, place, columns: {}, complete: false, outline: null };
+  page.shown.push(one);
+  await more(one);
+  drawShown();
+}
+
+/** Reads on in the history of a run. */
+async function more(one) {
+  const count = one.columns.step?.length ?? 0;
+  const { columns, complete } = await ask("GET", `/api/history?name=${encodeURIComponent(one.name)}&from=${count}`);
+  const fresh = columns.step?.length ?? 0;
+  for (const [name, values] of Object.entries(columns)) one.columns[name] = [...(one.columns[name] ?? []), ...values];
+  const finished = complete && !one.complete;
+  one.complete = complete;
+  if (finished || fresh) {
+    one.outline = await ask("GET", `/api/outline?name=${encodeURIComponent(one.name)}`).catch(() => null) ?? one.outline;
+    if (one.outline && one === page.shown[0]) chooseAxes();
+  }
+  if (fresh || finished) { drawCurve(); drawStates(); if (!$("fields").hidden) drawPictures(); if (!$("numbers").hidden) drawNumbers(); }
+}
+
+function drawShown() {
+  const item = (name, colour, remove) => h("li", {}, h("i", { style: `background:${colour}` }), name, h("button", { "aria-label": `Show ${name} no more`, onclick: remove }, "×"));
+  const items = page.shown.map((one) => item(one.name.replace(/^results\//, ""), colourOf(one.place + 1), () => { page.shown = page.shown.filter((other) => other !== one); drawShown(); drawAll(); }));
+  if (page.live) items.unshift(h("li", {}, h("i", { style: `background:${COLOURS[0]}` }), "this case"));
+  if (page.measured) items.push(item(page.measured.name, "#000", () => { page.measured = null; $("measured-controls").hidden = true; drawShown(); drawAll(); }));
+  $("shown").replaceChildren(...items);
+  drawStates();
+}
+
+const colourOf = (place) => COLOURS[place % COLOURS.length];
+const scenarioShown = () => page.live?.scenario ?? page.shown[0]?.outline?.scenario ?? page.values.scenario;
+const columnsOf = (scenario) => start.columns[scenario] ?? [];
+
+/** The columns to choose from, and those of the scenario's first curve. */
+function chooseAxes() {
+  const scenario = scenarioShown();
+  if (!scenario || $("x").dataset.scenario === scenario) return;
+  const columns = columnsOf(scenario), [x, y] = FIRST_AXES[scenario] ?? [];
+  for (const [select, wanted, otherwise] of [[$("x"), x, "step"], [$("y"), y, "F_n"]]) {
+    select.replaceChildren(...columns.map((one) => h("option", { value: one.name, title: one.text }, `${short(one)} (${one.name})`)));
+    select.value = columns.some((one) => one.name === wanted) ? wanted : otherwise;
+  }
+  $("x").dataset.scenario = scenario;
+}
+
+function drawCurve() {
+  const columns = columnsOf(scenarioShown());
+  const [x, y] = [$("x").value, $("y").value].map((name) => columns.find((one) => one.name === name) ?? { name, unit: "", text: name });
+  const curve = (name, from, place, extra = {}) => ({ name, x: from[x.name] ?? [], y: from[y.name] ?? [], colour: colourOf(place), dash: DASHES[place % DASHES.length], ...extra });
+  const curves = [];
+  if (page.before && page.live) curves.push(curve("before the change", page.before.columns, 0, { before: true }));
+  if (page.live) curves.push(curve("this case", page.live.columns, 0));
+  curves.push(...page.shown.map((one) => curve(one.name.replace(/^results\//, ""), one.columns, one.place + 1)));
+  if (page.measured) curves.push(measuredCurve(x, y));
+  return drawCurves($("curve"), curves, x, y);
+}
+
+// --- Fields, numbers, figures ---------------------------------------------------------------------------------------
+function drawStates() {
+  const steps = page.shown.find((one) => one.outline)?.outline.steps ?? [], kept = $("state").value;
+  $("state").replaceChildren(h("option", { value: "aligned" }, "the loaded state"), h("option", { value: "final" }, "the last state"), ...steps.map((step) => h("option", { value: step }, `step ${step}`)));
+  if ([...$("state").options].some((one) => one.value === kept)) $("state").value = kept;
+}
+
+let picturing = 0;
+async function drawPictures() {
+  if ($("fields").hidden) return;
+  const mine = ++picturing, shown = { kind: $("kind").value, name: $("field").value };
+  const found = [];
+  if (page.live?.picture) {
+    const fits = page.live.picture.kind === shown.kind && (!shown.name || page.live.picture.name === shown.name);
+    if (!fits && page.live.done && !preview.abort) { page.before = null; return stream({ ...page.values }); }
+    found.push(["this case", page.live.picture]);
+  }
+  for (const one of page.shown.slice(0, 4)) {
+    try { found.push([one.name, await ask("POST", "/api/picture", { name: one.name, state: $("state").value || "aligned", shown }) ?? "nothing is stored so far"]); } catch (error) { found.push([one.name, error.message]); }
+    if (mine !== picturing) return;
+  }
+  const first = found.map(([, picture]) => picture).find((picture) => picture.names);
+  if (first) {
+    const kept = $("field").value, names = first.names[first.kind];
+    $("field").replaceChildren(...names.map((name) => h("option", { value: name }, start.titles[name] ?? `${name} body`)));
+    $("field").value = names.includes(kept) ? kept : first.name;
+    for (const option of $("kind").options) option.disabled = !first.names[option.value]?.length;
+    $("kind").value = first.kind;
+  }
+  shareColours(found.map(([, picture]) => picture).filter((picture) => picture.names));
+  const box = $("pictures");
+  while (box.children.length > found.length) box.lastChild.remove();
+  found.forEach(([name, picture], i) => {
+    const figure = box.children[i] ?? box.appendChild(h("figure", {}, h("figcaption"), h("div", { class: "plot", role: "img" })));
+    const [caption, plot] = figure.children;
+    if (typeof picture === "string") { caption.textContent = `${name}: ${picture}`; Plotly.purge(plot); return; }
+    caption.textContent = `${name.replace(/^results\//, "")}: ${picture.title}, ${picture.state}`;
+    if (plot.dataset.kind !== picture.kind) Plotly.purge(plot);
+    plot.dataset.kind = picture.kind;
+    RESIZED.observe(plot);
+    drawPicture(plot, picture);
+  });
+  if (!found.length) box.replaceChildren(h("p", { class: "quiet" }, "Nothing is shown. Run a case, or add a run."));
+}
+
+function drawNumbers() {
+  const runs = page.shown.filter((one) => one.outline);
+  if (!runs.length) { $("numbers").replaceChildren(h("p", { class: "quiet" }, "Add runs to compare their key numbers and what differs between them.")); return; }
+  const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, ""), runs.map((one) => h("th", { scope: "col" }, one.name.replace(/^results\//, "")))));
+  const row = (name, cells, differs) => h("tr", {}, h("th", { scope: "row" }, name), cells.map((cell) => h("td", { class: differs ? "differs" : "" }, cell)));
+  const keys = [...new Set(runs.flatMap((one) => Object.keys(one.outline.values)))].filter((key) => new Set(runs.map((one) => JSON.stringify(one.outline.values[key]))).size > 1);
+  const names = [...new Set(runs.flatMap((one) => one.outline.numbers.map((number) => number.name)))];
+  const unitOf = (key) => form.fields.get(plainKey(key))?.bare ?? "";
+  const inputs = keys.map((key) => row(key, runs.map((one) => valueText(one.outline.values[key], unitOf(key))), true));
+  const numbers = names.map((name) => row(name, runs.map((one) => { const found = one.outline.numbers.find((number) => number.name === name); return found ? numberText(found.value, found.unit) : "–"; })));
+  const warnings = runs.flatMap((one) => one.outline.warnings.map((text) => h("li", {}, `${one.name.replace(/^results\//, "")}: ${text}`)));
+  $("numbers").replaceChildren(
+    runs.length > 1 ? h("table", {}, h("caption", {}, "What differs"), head.cloneNode(true), h("tbody", {}, inputs.length ? inputs : row("nothing", []))) : "",
+    h("table", {}, h("caption", {}, "Key numbers"), head, h("tbody", {}, numbers)),
+    warnings.length ? h("div", {}, h("h2", {}, "To be known of these results"), h("ul", {}, warnings)) : "");
+}
+
+function numberText(value, unit) {
+  if (unit === "%") return `${nice(100 * value)} %`;
+  const scale = scaleOf(unit, Math.abs(value));
+  return `${nice(value / scale.size)} ${scale.unit}`;
+}
+
+const valueText = (value, unit) => (value === undefined ? "–" : typeof value === "number" && unit ? numberText(value, unit) : Array.isArray(value) ? value.map((one) => valueText(one, unit)).join(", ") : String(value));
+
+async function drawFigures() {
+  const name = $("figures-of").value;
+  $("gallery").replaceChildren();
+  $("figures-note").textContent = name ? "They are being drawn …" : "There is no result in the folder yet.";
+  if (!name) return;
+  try {
+    const figures = await ask("GET", `/api/figures?name=${encodeURIComponent(name)}`);
+    if ($("figures-of").value !== name) return;
+    $("gallery").replaceChildren(...figures.map(figureOf));
+    $("figures-note").textContent = figures.length ? `brinell plot ${quoted(name)} writes them` : "There are none.";
+  } catch (error) { $("figures-note").textContent = error.message; }
+}
+
+const figureOf = (one) => h("figure", {}, h("img", { src: one.source, alt: one.caption }), h("figcaption", {}, one.caption));
+
+function drawAll() { drawCurve(); drawPictures(); if (!$("numbers").hidden) drawNumbers(); }
