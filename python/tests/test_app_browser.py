@@ -79,6 +79,7 @@ def test_first_curve_is_there_at_once(driver: Any, server: Server) -> None:
     print(f"first curve {time.monotonic() - begun:.2f} s after the page was opened")
     x, y, _ = page.curves()["this case"]
     assert len(x) == len(y) > 10
+    assert "expected errors" in page.one("#notes").text  # what is known of its quality is said beside it
     assert page.js("document.getElementById('curve').getAttribute('aria-label')").startswith(
         "Force normal to the plane"
     )
@@ -112,6 +113,44 @@ def test_an_error_stands_at_its_field(page: Page) -> None:
     page.type("lower.material.poisson_ratio", "0.3")
     page.wait("page.checked.errors.length === 0")
     assert page.one("#run").is_enabled()
+
+
+def test_every_error_is_seen_where_it_belongs(page: Page) -> None:
+    """Bad values of all kinds at once: the list above leads from each error to the place that says it."""
+    bad = {
+        "lower.material.young_modulus": "3 kg",
+        "lower.shape.type": "ball",
+        "lower.material.hardening.law": 3,
+        "lower.texture[0].type": "dent",
+        "lower.texture[1].type": "dent",
+        "lower.texture[1].depth": "-1 um",
+        "indentation.load": [],
+        "indentation.steps": 1.5,
+        "grid.boundary": "closed",
+        "output.fields": ["everything"],
+        "output.snapshots": "never",
+        "rolling.distance": "1 mm",
+        "no.such": 1,
+        "lower.radus": 2,
+    }
+    for key, value in bad.items():
+        page.driver.execute_script("change({[arguments[0]]: arguments[1]}, false)", key, value)
+        page.wait(
+            "page.checked.errors.length > 0 && Object.keys(page.values).includes(arguments[0])".replace(
+                "arguments[0]", json.dumps(key)
+            )
+        )
+    page.settled()
+    errors = page.js("page.checked.errors.map((one) => one.key)")
+    assert len(errors) > 12
+    for i, key in enumerate(errors):
+        page.driver.execute_script("document.querySelectorAll('#problems li button')[arguments[0]].click()", i)
+        place = f"document.getElementById('f-' + {json.dumps(key)})"
+        assert page.js(f"{place} !== null"), key
+        assert page.js(
+            f"({place}.closest('.field') ?? {place}).querySelectorAll('.error').length || {place}.matches('.error')"
+        ), key
+        assert page.js(f"{place}.offsetParent !== null"), key  # it can be seen
 
 
 def test_fields_follow_what_is_chosen(page: Page) -> None:

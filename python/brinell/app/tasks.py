@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, cast
 
@@ -87,9 +88,17 @@ def preview(stop: Stop, values: Mapping[str, Any], folder: str, shown: Mapping[s
         if time.monotonic() - told > _SECONDS_BETWEEN:
             yield {"columns": _columns(rows[sent:]), "of": stepping.step_count}
             told, sent = time.monotonic(), len(rows)
-    yield {"columns": _columns(rows[sent:]), "of": len(rows), "seconds": time.monotonic() - begun}
+    notes = _notes(stepping.summary())
+    yield {"columns": _columns(rows[sent:]), "of": len(rows), "seconds": time.monotonic() - begun, "notes": notes}
     if fields is not None:
         yield {"picture": _picture_of_fields(*fields, shown)}
+
+
+def _notes(summary: Mapping[str, Any]) -> list[str]:
+    """What is known about the quality of a result: warnings, and the resolution with its expected errors."""
+    texts = [warning["text"] for warning in summary.get("warnings", [])]
+    resolution = summary.get("resolution", {}).get("text", "")
+    return [*texts, resolution] if resolution else texts
 
 
 def _is_near_middle(place: float, first: float) -> bool:
@@ -122,6 +131,7 @@ def _first_of(state: Any, shown: Mapping[str, str], picture: Callable[..., dict[
 def outline(_stop: Stop, root: str, name: str) -> Iterator[dict[str, Any] | None]:
     """A result: its case, stored steps, key numbers and warnings; None of a run that has hardly begun."""
     from brinell.app.case_text import values_of
+    from brinell.report.numbers import accuracies_of
     from brinell.results import RunError, open_run
     from brinell.scenarios import SCENARIOS
 
@@ -146,7 +156,8 @@ def outline(_stop: Stop, root: str, name: str) -> Iterator[dict[str, Any] | None
         "values": values,
         "steps": [int(step) for step in run.steps] if run.complete else _stored_steps(path),
         "numbers": [{"name": n.name, "value": float(n.value), "unit": n.unit} for n in numbers],
-        "warnings": [warning.text for warning in run.warnings] if run.complete else [],
+        "notes": _notes(run.summary or {}),
+        "intervals": [asdict(one) for one in accuracies_of(run)] if run.complete else [],
     }
 
 

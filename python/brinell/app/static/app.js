@@ -136,6 +136,8 @@ function take(thing, live, begun, scenario) {
   for (const [name, values] of Object.entries(thing.columns ?? {})) live.columns[name] = [...(live.columns[name] ?? []), ...values];
   if (page.live !== live) { page.before = page.live?.done && page.live.scenario === scenario ? page.live : page.before; Object.assign(live, { scenario }); page.live = live; chooseAxes(); drawShown(); }
   live.done = thing.seconds !== undefined;
+  live.notes = thing.notes ?? [];
+  if (!live.done) tell(`${live.columns.step?.length ?? 0} of about ${thing.of} steps`);
   drawCurve().then(() => {
     if (!live.done) return;
     const took = (performance.now() - begun) / 1000;
@@ -235,12 +237,17 @@ async function more(one) {
 
 function drawShown() {
   const item = (name, colour, remove) => h("li", {}, h("i", { style: `background:${colour}` }), name, h("button", { "aria-label": `Show ${name} no more`, onclick: remove }, "×"));
-  const items = page.shown.map((one) => item(one.name.replace(/^results\//, ""), colourOf(one.place + 1), () => { page.shown = page.shown.filter((other) => other !== one); drawShown(); drawAll(); }));
+  const items = page.shown.map((one) => item(shortName(one), colourOf(one.place + 1), () => { page.shown = page.shown.filter((other) => other !== one); drawShown(); drawAll(); }));
   if (page.live) items.unshift(h("li", {}, h("i", { style: `background:${COLOURS[0]}` }), "this case"));
   if (page.measured) items.push(item(page.measured.name, "#000", () => { page.measured = null; $("measured-controls").hidden = true; drawShown(); drawAll(); }));
   $("shown").replaceChildren(...items);
   drawStates();
 }
+
+const shortName = (one) => one.name.replace(/^results\//, "");
+
+/** What is known of the quality of results, each with its name. */
+const notesOf = (runs) => runs.filter((one) => one.outline).flatMap((one) => one.outline.notes.map((text) => h("li", {}, `${shortName(one)}: ${text}`)));
 
 const colourOf = (place) => COLOURS[place % COLOURS.length];
 const scenarioShown = () => page.live?.scenario ?? page.shown[0]?.outline?.scenario ?? page.values.scenario;
@@ -265,8 +272,9 @@ function drawCurve() {
   const curves = [];
   if (page.before && page.live) curves.push(curve("before the change", page.before.columns, 0, { before: true }));
   if (page.live) curves.push(curve("this case", page.live.columns, 0));
-  curves.push(...page.shown.map((one) => curve(one.name.replace(/^results\//, ""), one.columns, one.place + 1)));
+  curves.push(...page.shown.map((one) => curve(shortName(one), one.columns, one.place + 1)));
   if (page.measured) curves.push(measuredCurve(x, y));
+  $("notes").replaceChildren(...(page.live?.notes ?? []).map((text) => h("li", {}, `this case: ${text}`)), ...notesOf(page.shown));
   return drawCurves($("curve"), curves, x, y);
 }
 
@@ -318,18 +326,20 @@ async function drawPictures() {
 function drawNumbers() {
   const runs = page.shown.filter((one) => one.outline);
   if (!runs.length) { $("numbers").replaceChildren(h("p", { class: "quiet" }, "Add runs to compare their key numbers and what differs between them.")); return; }
-  const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, ""), runs.map((one) => h("th", { scope: "col" }, one.name.replace(/^results\//, "")))));
+  const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, ""), runs.map((one) => h("th", { scope: "col" }, shortName(one)))));
   const row = (name, cells, differs) => h("tr", {}, h("th", { scope: "row" }, name), cells.map((cell) => h("td", { class: differs ? "differs" : "" }, cell)));
   const keys = [...new Set(runs.flatMap((one) => Object.keys(one.outline.values)))].filter((key) => new Set(runs.map((one) => JSON.stringify(one.outline.values[key]))).size > 1);
   const names = [...new Set(runs.flatMap((one) => one.outline.numbers.map((number) => number.name)))];
   const unitOf = (key) => form.fields.get(plainKey(key))?.bare ?? "";
   const inputs = keys.map((key) => row(key, runs.map((one) => valueText(one.outline.values[key], unitOf(key))), true));
   const numbers = names.map((name) => row(name, runs.map((one) => { const found = one.outline.numbers.find((number) => number.name === name); return found ? numberText(found.value, found.unit) : "–"; })));
-  const warnings = runs.flatMap((one) => one.outline.warnings.map((text) => h("li", {}, `${one.name.replace(/^results\//, "")}: ${text}`)));
+  const intervals = runs.flatMap((one) => one.outline.intervals.map((found) => row(`${found.name} of ${shortName(one)}`, [found.value, `${found.low} to ${found.high}`, found.error])));
+  const heads = h("thead", {}, h("tr", {}, ["", "finest cells", "interval", "error"].map((text) => h("th", { scope: "col" }, text))));
   $("numbers").replaceChildren(
     runs.length > 1 ? h("table", {}, h("caption", {}, "What differs"), head.cloneNode(true), h("tbody", {}, inputs.length ? inputs : row("nothing", []))) : "",
     h("table", {}, h("caption", {}, "Key numbers"), head, h("tbody", {}, numbers)),
-    warnings.length ? h("div", {}, h("h2", {}, "To be known of these results"), h("ul", {}, warnings)) : "");
+    intervals.length ? h("table", {}, h("caption", {}, "Accuracy"), heads, h("tbody", {}, intervals)) : "",
+    h("div", {}, h("h2", {}, "To be known of these results"), h("ul", {}, notesOf(runs))));
 }
 
 function numberText(value, unit) {

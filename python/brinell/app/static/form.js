@@ -65,7 +65,8 @@ class Form {
     const held = this.held(), scroll = this.element.parentElement.scrollTop;
     const groups = new Map();
     const applies = checked.applies;
-    const keys = [...new Set([...Object.keys(applies), ...Object.keys(values)])];
+    const wrong = checked.errors.map((one) => one.key).filter((key) => this.fields.has(plainKey(key)));
+    const keys = [...new Set([...Object.keys(applies), ...Object.keys(values), ...wrong])];
     const byTable = new Map();
     for (const key of keys) {
       const table = tableOf(key);
@@ -133,9 +134,10 @@ class Form {
     const has = new Set([...this.checked.errors, ...this.checked.warnings].map((one) => one.key));
     const isMain = (key) => key in this.values || has.has(key) || this.sliders.has(key) || this.fields.get(plainKey(key))?.required;
     const main = all.filter((key) => isMain(key)), more = all.filter((key) => !isMain(key));
-    const parts = [];
+    const parts = [], ofTable = this.checked.errors.filter((one) => plainKey(one.key) === plainKey(table) && table);
     if (tableOf(table) || /\[/.test(table)) parts.push(this.heading(table, section));
     if (/^(lower|upper)\.material$/.test(table)) parts.push(this.material(table));
+    parts.push(...ofTable.map((one, i) => h("div", { class: "error wrong", id: i ? null : `f-${one.key}`, tabindex: -1 }, one.text)));
     parts.push(...main.map((key) => this.field(key)));
     if (more.length) {
       const id = `more ${table}`;
@@ -149,7 +151,7 @@ class Form {
       });
       parts.push(details);
     }
-    return h("div", { class: "table", "data-used": main.length ? "yes" : null, "data-name": this.nameOf(table) }, parts);
+    return h("div", { class: "table", "data-used": main.length || ofTable.length ? "yes" : null, "data-name": this.nameOf(table) }, parts);
   }
 
   heading(table, section) {
