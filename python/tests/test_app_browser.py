@@ -453,6 +453,17 @@ def test_all_has_names_and_works_by_the_keyboard(page: Page) -> None:
     finished(page, 1)
 
 
+def test_narrow_window_shows_all(page: Page) -> None:
+    try:
+        page.driver.set_window_size(620, 900)
+        page.wait("window.innerWidth < 700")
+        time.sleep(0.5)
+        assert page.js("document.documentElement.scrollWidth <= window.innerWidth")
+        assert page.js("document.getElementById('f-title').clientWidth > 100")
+    finally:
+        page.driver.set_window_size(1500, 950)
+
+
 def test_texts_of_a_case_stay_texts(page: Page) -> None:
     evil = '<img src=x onerror="window.harmed = 1"><script>window.harmed = 1</script>'
     (page.server.folder / "evil.toml").write_text(

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The server of `brinell app`: whom it refuses, what it keeps, and that no run is lost."""
 
+import base64
 import json
 import os
 import signal
@@ -354,6 +355,22 @@ def test_a_sweep_has_its_figure(server: Server) -> None:
     status, told = server.request("POST", "/api/sweep", {**body, "over": ["1 GPa", "2 kg"]})
     assert status == 422
     assert "is a mass" in told["error"]
+
+
+def test_a_fit_of_the_folder_is_shown(server: Server, home: Path) -> None:
+    """As `brinell fit` leaves it: fit.json, and pictures."""
+    folder = home / "results" / "fit" / "figures"
+    folder.mkdir(parents=True)
+    (folder.parent / "fit.json").write_text("{}")
+    picture = b"\x89PNG\r\n\x1a\n and so on"
+    (folder / "curve.png").write_bytes(picture)
+    (folder / "secret.png").symlink_to(home.parent / "secret.toml")
+    assert {"kind": "fit", "name": "results/fit"}.items() <= next(
+        one for one in server.asked("GET", "/api/files")["entries"] if one["kind"] == "fit"
+    ).items()
+    (figure,) = server.asked("GET", "/api/figures?name=results/fit")
+    assert figure["name"] == "curve"
+    assert base64.b64decode(figure["source"].partition("base64,")[2]) == picture
 
 
 def test_own_materials_are_kept_in_the_settings(server: Server, tmp_path: Path) -> None:
