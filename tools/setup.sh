@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 engine_packages=(build-essential cmake ninja-build pkg-config python3-dev python3-venv
   libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev zlib1g-dev libxxhash-dev nlohmann-json3-dev)
 build_packages=("${engine_packages[@]}" git clang-format libgtest-dev libbenchmark-dev)
-test_packages=(chromium chromium-driver) # the HTML report is looked at in a browser
+test_packages=(chromium chromium-driver) # the HTML report and the page of `brinell app` are looked at in a browser
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }

@@ -5,17 +5,19 @@ from __future__ import annotations
 
 import io
 import os
+import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from app_server import Server
-from test_report_browser import wait_for
 
+PAPER = Path(__file__).parents[2] / "cases" / "tugging-paper" / "case.toml"
 SCREENSHOTS = os.environ.get("BRINELL_SCREENSHOTS")
 CONTROL_A, DELETE, TAB, ENTER = "\ue009a\ue000", "\ue017", "\ue004", "\ue007"
 LEFT, RIGHT = "\ue012", "\ue014"
@@ -36,6 +38,8 @@ class Page:
 
     def wait(self, condition: str, seconds: float = 60.0) -> Any:
         """What a JavaScript expression is worth once it is true."""
+        from test_report_browser import wait_for
+
         return wait_for(self.driver, condition, seconds)
 
     def js(self, expression: str, *arguments: Any) -> Any:
@@ -115,3 +119,45 @@ class Page:
     def complaints(self) -> list[str]:
         """What the browser holds against the page."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def finished(self, count: int) -> None:
+        """Waits until so many runs are shown that have finished."""
+        self.wait(f"page.shown.length === {count} && page.shown.every((one) => one.complete && one.outline)")
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    from selenium import webdriver
+
+    from test_report_browser import CHROMIUM, DRIVER, OPTIONS
+
+    options = webdriver.ChromeOptions()
+    assert CHROMIUM is not None
+    options.binary_location = CHROMIUM
+    sized = [option for option in OPTIONS if not option.startswith("--window-size")]
+    nowhere = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
+    for option in (*(one for one in sized if "resolver" not in one), nowhere, "--window-size=1500,950"):
+        options.add_argument(option)
+    options.add_argument(f"--user-data-dir={tmp_path_factory.mktemp('chromium')}")
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    driver = webdriver.Chrome(options=options, service=webdriver.ChromeService(DRIVER))
+    yield driver
+    driver.quit()
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    folder = tmp_path_factory.mktemp("work")
+    shutil.copy(PAPER, folder / "paper.toml")
+    server = Server(folder, tmp_path_factory.mktemp("settings"))
+    yield server
+    server.close()
+
+
+@pytest.fixture
+def page(driver: Any, server: Server) -> Iterator[Page]:
+    driver.get_log("browser")
+    page = Page(driver, server)
+    page.open()
+    yield page
+    assert page.complaints() == []

@@ -14,6 +14,7 @@ import matplotlib
 import pytest
 
 import brinell
+from app_page import driver, page, server  # noqa: F401  # the page of `brinell app`, for several files
 from brinell.plot import style
 from synthetic_files import WRITERS
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Iterator
+from collections import deque
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -16,6 +16,7 @@ __all__ = ["Entry", "Folder"]
 
 _DEPTH = 4
 _MOST = 500
+_MOST_FOLDERS = 2000
 _LARGEST_CASE = 4_000_000  # bytes
 
 
@@ -91,35 +92,39 @@ class Folder:
         return path.relative_to(self.root).as_posix()
 
     def entries(self) -> list[Entry]:
-        """Cases, runs, sweeps and fits, those changed last first."""
-        found = []
-        for entry in self._walk(self.root, 0):
-            found.append(entry)
-            if len(found) == _MOST:
+        """Cases, runs, sweeps and fits, those changed last first; of a large tree those that are not deep in it."""
+        found: list[Entry] = []
+        folders = deque([(self.root, 0)])
+        for _ in range(_MOST_FOLDERS):
+            if not folders or len(found) >= _MOST:
                 break
+            path, depth = folders.popleft()
+            entries, below = self._looked_at(path, depth)
+            found += entries
+            if depth < _DEPTH:
+                folders.extend((one, depth + 1) for one in below)
         return sorted(found, key=lambda one: -one.changed)
 
-    def _walk(self, folder: Path, depth: int) -> Iterator[Entry]:
+    def _looked_at(self, folder: Path, depth: int) -> tuple[list[Entry], list[Path]]:
+        """What a folder holds, and the folders in it that are looked at, too."""
         try:
             here = sorted(os.scandir(folder), key=lambda one: one.name)
         except OSError:
-            return
+            return [], []
         names = {one.name: one for one in here if one.is_file(follow_symlinks=False)}
         if depth and "history.csv" in names:
-            yield self._entry("run", folder, names["history.csv"], "summary.json" in names)
-            return
+            return [self._entry("run", folder, names["history.csv"], "summary.json" in names)], []
         kind = "sweep" if "sweep.json" in names else "fit" if "fit.json" in names else ""
-        if depth and kind:
-            yield self._entry(kind, folder, names[f"{kind}.json"])
-            if kind == "fit":
-                return
-        for one in names.values():
-            if one.name.endswith(".toml") and not one.name.startswith(".") and _is_case(one):
-                yield self._entry("case", Path(one.path), one)
-        if depth < _DEPTH:
-            for one in here:
-                if one.is_dir(follow_symlinks=False) and not one.name.startswith("."):
-                    yield from self._walk(Path(one.path), depth + 1)
+        found = [self._entry(kind, folder, names[f"{kind}.json"])] if depth and kind else []
+        if found and kind == "fit":
+            return found, []
+        found += [
+            self._entry("case", Path(one.path), one)
+            for one in names.values()
+            if one.name.endswith(".toml") and not one.name.startswith(".") and _is_case(one)
+        ]
+        below = [Path(one.path) for one in here if one.is_dir(follow_symlinks=False) and not one.name.startswith(".")]
+        return found, below
 
     def _entry(self, kind: str, path: Path, file: os.DirEntry[str], complete: bool = True) -> Entry:
         return Entry(kind, self.name_of(path), file.stat(follow_symlinks=False).st_mtime, complete)

@@ -8,6 +8,7 @@ import contextlib
 import csv
 import json
 import os
+import time
 import uuid
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from dataclasses import asdict
@@ -25,7 +26,7 @@ from brinell import _core
 from brinell.app import forms, tasks
 from brinell.app.case_text import text_of, values_of
 from brinell.app.checking import values_that_apply
-from brinell.app.folder import Folder
+from brinell.app.folder import Entry, Folder
 from brinell.app.guard import Guard, RefusedError
 from brinell.app.materials import Materials
 from brinell.app.runs import Job, Jobs
@@ -36,6 +37,7 @@ __all__ = ["Server", "application"]
 
 _STATIC = {f"{name}.js": "text/javascript" for name in ("form", "plots", "app", "page")} | {"app.css": "text/css"}
 _MOST_SWEPT = 200
+_TIMES_AS_LONG = 5
 
 
 def application(folder: Path, materials: Path, token: str, port: int) -> Guard:
@@ -67,6 +69,7 @@ class Server:
         self._templates: dict[str, dict[str, Any]] = {}
         self._previews: dict[str, str] = {}
         self._jobs: Jobs | None = None
+        self._looked: tuple[float, list[Entry]] = (0.0, [])
         self.app = Starlette(routes=self._routes(), lifespan=self._lifespan, exception_handlers=_handlers())
 
     def _routes(self) -> list[Route]:
@@ -145,9 +148,18 @@ class Server:
         )
 
     async def _files(self, _request: Request) -> Response:
-        entries = await asyncio.to_thread(self._folder.entries)
+        entries = await self._entries()
         jobs = [self._told(job) for job in self.jobs.all()]
         return JSONResponse({"entries": [asdict(one) for one in entries], "jobs": jobs})
+
+    async def _entries(self) -> list[Entry]:
+        """What the folder holds; a large tree is looked through less often, by the time that this takes."""
+        begun = time.monotonic()
+        if begun >= self._looked[0]:
+            entries = await asyncio.to_thread(self._folder.entries)
+            took = time.monotonic() - begun
+            self._looked = (time.monotonic() + _TIMES_AS_LONG * took, entries)
+        return self._looked[1]
 
     def _told(self, job: Job) -> dict[str, Any]:
         """A job; of a sweep its finished runs."""

@@ -176,12 +176,20 @@ function fill(select, title, names) {
 }
 
 function drawJobs() {
-  const active = page.jobs.filter((job) => job.state === "running" || job.state === "waiting" || (job.state === "failed" && !job.seen) || job.state === "stopped");
-  $("jobs").replaceChildren(...active.map((job) => h("div", { class: "job" }, h("span", {}, job.name),
+  const isActive = (job) => ["running", "waiting", "stopped", "failed"].includes(job.state);
+  const known = new Set(page.jobs.map((job) => job.name));
+  const left = page.shown.filter((one) => !one.complete && !known.has(one.name)).map((one) => ({ name: one.name, state: "not finished", kind: "run" }));
+  $("jobs").replaceChildren(...[...page.jobs.filter(isActive), ...left].map(drawnJob));
+}
+
+function drawnJob(job) {
+  const button = (text, path) => h("button", { onclick: () => act(path, job.name) }, text);
+  const isLive = job.state === "running" || job.state === "waiting", isLeft = job.kind === "run" && (job.state === "stopped" || job.state === "not finished");
+  const count = job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins";
+  return h("div", { class: "job" }, h("span", {}, job.name),
     job.state === "running" ? h("progress", { max: job.of || 1, value: job.done, "aria-label": `Progress of ${job.name}` }) : null,
-    h("span", { class: job.state === "failed" ? "error" : "quiet" }, job.state === "running" ? (job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins") : job.state === "failed" ? job.error : job.state),
-    job.state === "stopped" && job.kind === "run" ? h("button", { onclick: () => act("/api/resume", job.name) }, "Go on") : null,
-    job.state === "running" || job.state === "waiting" ? h("button", { onclick: () => act("/api/stop", job.name) }, "Stop") : null)));
+    h("span", { class: job.state === "failed" ? "error" : "quiet" }, job.state === "running" ? count : job.state === "failed" ? job.error : job.state),
+    isLeft ? button("Go on", "/api/resume") : null, isLive ? button("Stop", "/api/stop") : null);
 }
 
 async function act(path, name) {

@@ -38,8 +38,9 @@ function joined(field, text, unit) {
   const isList = field.kind === "numbers" || field.kind === "vector3";
   const one = (part) => {
     const found = QUANTITY.exec(part);
-    if (!found || found[2]) return part.trim();
-    return unit && !/^[-+]?0+(\.0*)?$/.test(found[1]) ? `${found[1]} ${unit}` : Number(found[1].replace("−", "-").replaceAll("_", ""));
+    const number = found ? Number(found[1].replace("−", "-").replaceAll("_", "")) : NaN;
+    if (!Number.isFinite(number) || found[2]) return part.trim();
+    return unit && number !== 0 ? `${found[1]} ${unit}` : number;
   };
   if (!text.trim()) return undefined;
   const parts = text.split(/[,;]/).filter((part) => part.trim());
