@@ -48,6 +48,15 @@ def test_first_curve_is_there_at_once(driver: Any, server: Server) -> None:
     assert page.complaints() == []
 
 
+def test_a_file_leads_to_the_page(driver: Any, server: Server) -> None:
+    from brinell.app.cli import _leading_to
+
+    with _leading_to(server.address) as path:
+        driver.get(path.as_uri())
+        Page(driver, server).wait("document.body.dataset.took")
+    assert driver.current_url == server.address
+
+
 def test_an_error_stands_at_its_field(page: Page) -> None:
     page.type("lower.material.poisson_ratio", "0.7")
     page.wait("page.checked.errors.length === 1")

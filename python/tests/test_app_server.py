@@ -100,6 +100,19 @@ def hostile(server: Server) -> Iterator[tuple[str, bytes]]:
     for site in ("cross-site", "same-site", "", "else"):
         yield f"site {site}", request_text(server, Sec_Fetch_Site=site)
         yield f"page for {site}", request_text(server, path=f"/?token={server.token}", Sec_Fetch_Site=site)
+    for path, mode, kind in (
+        ("/", "cors", "empty"),
+        ("/", "navigate", "iframe"),
+        ("/api/files", "navigate", "document"),
+    ):
+        text = request_text(
+            server,
+            path=f"{path}?token={server.token}",
+            Sec_Fetch_Site="cross-site",
+            Sec_Fetch_Mode=mode,
+            Sec_Fetch_Dest=kind,
+        )
+        yield f"{mode} of another site to {path} for {kind}", text
     for token in ("", "x", server.token[:-1], server.token + "x", server.token.swapcase(), "é", "0" * 3000):
         yield f"token {token[:10]}", request_text(server, X_Brinell_Token=token)
         yield f"page with {token[:10]}", request_text(server, path=f"/?token={token}".replace("é", "%C3%A9"))
@@ -456,6 +469,36 @@ def test_names_of_the_folder(tmp_path: Path) -> None:
     for name in ("loop", "loop/x", "..", "a/../../b", "~root/../..", ".git/config"):
         with pytest.raises(brinell.InputError):
             folder.inside(name if name != "~root/../.." else "~root/../../..")
+
+
+def test_browser_is_led_by_a_file_of_this_user(tmp_path: Path) -> None:
+    """Its arguments, which other users can read, do not tell the secret."""
+    browser = tmp_path / "browser"
+    lines = (
+        "#!/bin/sh",
+        f"cd {tmp_path}",
+        'echo "$@" > told',
+        'ls -l "${1#file://}" > rights',
+        'cp "${1#file://}" page',
+    )
+    browser.write_text("\n".join(lines) + "\n")
+    browser.chmod(0o755)
+    with subprocess.Popen(
+        [sys.executable, "-m", "brinell", "app", str(tmp_path)],
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "BROWSER": f"{browser} %s"},
+    ) as process:
+        assert process.stdout is not None
+        address = process.stdout.readline().split(": ", 1)[1].strip()
+        while not (tmp_path / "page").exists() or not (tmp_path / "page").read_text():
+            assert process.poll() is None
+        process.send_signal(signal.SIGINT)
+    told = (tmp_path / "told").read_text().strip()
+    assert "token" not in told
+    assert address in (tmp_path / "page").read_text()
+    assert (tmp_path / "rights").read_text().startswith("-rw------- ")
+    assert not Path(told.removeprefix("file://")).exists()  # it ends with the server
 
 
 def test_command_says_what_is_missing(tmp_path: Path) -> None:

@@ -7,9 +7,12 @@ Exit code 0: ended by Ctrl-C; 2: an error in the command line, or the libraries 
 from __future__ import annotations
 
 import contextlib
+import os
 import secrets
 import socket
+import tempfile
 import webbrowser
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -43,9 +46,6 @@ def command(folder: Path, port: int | None, no_browser: bool) -> None:
     guarded = application(folder, user_file(), token, at)
     address = f"http://127.0.0.1:{at}/?token={token}"
     click.echo(f"{folder.resolve()}: {address}\nCtrl-C ends it.")
-    if not no_browser:
-        with contextlib.suppress(webbrowser.Error):
-            webbrowser.open(address)
     config = uvicorn.Config(
         guarded,
         log_level="critical",
@@ -60,8 +60,24 @@ def command(folder: Path, port: int | None, no_browser: bool) -> None:
         proxy_headers=False,
         lifespan="on",
     )
-    with contextlib.suppress(KeyboardInterrupt):
+    with contextlib.suppress(KeyboardInterrupt), _leading_to(address) as page:
+        if not no_browser:
+            with contextlib.suppress(webbrowser.Error):
+                webbrowser.open(page.as_uri())
         uvicorn.Server(config).run(sockets=[listening])
+
+
+@contextlib.contextmanager
+def _leading_to(address: str) -> Iterator[Path]:
+    """A file of this user alone that leads a browser to an address.
+
+    The arguments of a browser can be read by other users of the machine; this file cannot.
+    """
+    with tempfile.TemporaryDirectory(prefix="brinell-app-") as folder:  # of this user alone, too
+        path = Path(folder) / "brinell.html"
+        with open(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8") as file:
+            file.write(f'<!doctype html><title>brinell</title><meta http-equiv="refresh" content="0;url={address}">\n')
+        yield path
 
 
 def _listening(port: int) -> socket.socket:
@@ -74,6 +90,7 @@ def _listening(port: int) -> socket.socket:
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listening.bind(("127.0.0.1", port))
+        listening.listen(100)  # a browser that is faster than the server waits
     except OSError as error:
         listening.close()
         raise IoError(f"port {port} cannot be used: {error.strerror}") from error

@@ -9,7 +9,7 @@ has been led to this machine (DNS rebinding) is refused by `Host`.
 from __future__ import annotations
 
 import hmac
-from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 from urllib.parse import parse_qs
 
@@ -103,7 +103,7 @@ class Guard:
             raise RefusedError(403, "this is not the host of the page")
         if "origin" in headers and headers["origin"] not in self._origins:
             raise RefusedError(403, "another site asks")
-        if headers.get("sec-fetch-site", "none") not in ("same-origin", "none"):
+        if headers.get("sec-fetch-site", "none") not in ("same-origin", "none") and not _is_visit(path, headers):
             raise RefusedError(403, "another site asks")
         if method not in _METHODS:
             raise RefusedError(405, "allowed: GET, POST, PUT, DELETE")
@@ -131,6 +131,12 @@ class Guard:
         length = headers.get("content-length", "0")
         if not length.isdecimal() or int(length) > LARGEST_BODY:
             raise RefusedError(413, f"allowed: bodies up to {LARGEST_BODY} bytes")
+
+
+def _is_visit(path: str, headers: Mapping[str, str]) -> bool:
+    """Whether a window of the browser is led to the page, as by the file that the command opens."""
+    goes = (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest"))
+    return path == "/" and goes == ("navigate", "document")
 
 
 def _headers(raw: Iterable[tuple[bytes, bytes]]) -> MutableMapping[str, str]:
