@@ -135,3 +135,21 @@ def served(folder: Path, settings: Path, **limits: Any) -> Iterator[Server]:
         yield server
     finally:
         server.close()
+
+
+def request_text(
+    server: Server,
+    method: str = "GET",
+    path: str = "/api/files",
+    *,
+    body: bytes = b"",
+    without: tuple[str, ...] = (),
+    **headers: str,
+) -> bytes:
+    """A request as bytes, as the page would say it but for what is given."""
+    all_headers = {"Host": f"127.0.0.1:{server.port}", "X-Brinell-Token": server.token}
+    if body:
+        all_headers |= {"Content-Type": "application/json", "Content-Length": str(len(body))}
+    all_headers |= {name.replace("_", "-"): value for name, value in headers.items()}
+    lines = [f"{name}: {value}" for name, value in all_headers.items() if name not in without]
+    return "\r\n".join([f"{method} {path} HTTP/1.1", *lines, "Connection: close", "", ""]).encode("latin-1") + body

@@ -62,6 +62,9 @@ def main() -> int:
     except (BrinellError, OSError, MemoryError) as error:
         listener.tell({"error": str(error) or "not enough memory"})
         return 1
+    except Exception as error:
+        listener.tell({"error": f"a bug of brinell, please report it: {type(error).__name__}: {error}"})
+        return 1
     listener.tell({"finished": True})
     return 0
 
