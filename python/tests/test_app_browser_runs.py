@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs and results on the page of `brinell app` in headless Chromium, as in test_app_browser.py."""
 
+import json
 import shlex
 import shutil
 import subprocess
@@ -81,6 +82,20 @@ def test_map_is_that_of_the_result(page: Page) -> None:
     assert np.max([[value or 0 for value in row] for row in drawn["z"]]) * 1e9 == pytest.approx(
         snapshot.contact.pressure.max(), rel=1e-4
     )
+
+
+def test_fields_follow_a_run(page: Page) -> None:
+    page.unfold()
+    for key, value in {"indentation.steps": "40", "grid.resolution": "14", "output.snapshots": "every 2"}.items():
+        page.type(key, value)
+        page.wait(f"{json.dumps(key)} in page.values && !page.checked.errors.length")
+    page.tab("fields")
+    page.click("#run")
+    caption = "document.querySelector('#pictures figcaption')?.textContent"
+    first = page.wait(f"/, step [0-9]+$/.test({caption}) && page.jobs[0].state === 'running' && {caption}")
+    page.wait(f"page.jobs[0].state === 'running' && {caption} !== {json.dumps(first)}")
+    page.click("#jobs button")
+    page.wait("page.jobs[0].state === 'stopped'")
 
 
 def test_a_run_is_stopped_and_goes_on(page: Page) -> None:

@@ -17,7 +17,7 @@ from typing import Any, cast
 from brinell.app.checking import checked, require_valid
 from brinell.app.folder import Folder
 from brinell.case import Case
-from brinell.errors import InputError
+from brinell.errors import BrinellError, InputError
 
 __all__ = ["LONGEST_PREVIEW", "check", "figures", "image", "outline", "preview", "template", "valid_text"]
 
@@ -163,22 +163,29 @@ def outline(_stop: Stop, root: str, name: str) -> Iterator[dict[str, Any] | None
 
 def image(_stop: Stop, root: str, name: str, state: str, shown: Mapping[str, str]) -> Iterator[dict[str, Any] | None]:
     """A picture of a stored state of a result; None of a run that has stored none so far."""
+    path = Folder(Path(root)).result(name)
+    if (path / "summary.json").exists() or not (path / "history.csv").exists():
+        yield _image(path, state, shown)
+        return
+    try:
+        yield _image(path, state, shown) if _stored_steps(path) else None
+    except (BrinellError, OSError, KeyError):  # the file is being written at this moment
+        yield None
+
+
+def _image(path: Path, state: str, shown: Mapping[str, str]) -> dict[str, Any]:
+    """A picture of a stored state."""
     from brinell.app.pictures import picture, state_of_snapshot
     from brinell.results import open_run
 
-    path = Folder(Path(root)).result(name)
-    if not (path / "summary.json").exists() and (path / "history.csv").exists() and not _stored_steps(path):
-        yield None
-        return
     run = open_run(path, allow_unfinished=True)
-    wants_tensor = shown.get("name", "")[-3:-2] == "_"
     which: Any = int(state) if state.isdecimal() else state
     if which not in ("aligned", "final") and which not in run.steps:
-        raise InputError(f"{name} has no stored step {state[:50]!r}")
+        raise InputError(f"{path.name} has no stored step {state[:50]!r}")
     if which == "final" and not run.complete:
-        which = run.steps[-1] if run.steps else "final"
-    snapshot = run.snapshot(which, tensors=wants_tensor)
-    yield _first_of(state_of_snapshot(snapshot), shown, picture)
+        which = run.steps[-1]
+    wants_tensor = shown.get("name", "")[-3:-2] == "_"
+    return _first_of(state_of_snapshot(run.snapshot(which, tensors=wants_tensor)), shown, picture)
 
 
 def _stored_steps(path: Path) -> list[int]:

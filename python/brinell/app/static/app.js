@@ -304,10 +304,10 @@ async function drawPictures() {
     found.push(["this case", page.live.picture]);
   }
   for (const one of page.shown.slice(0, 4)) {
-    try { found.push([one.name, await ask("POST", "/api/picture", { name: one.name, state: $("state").value || "aligned", shown }) ?? "nothing is stored so far"]); } catch (error) { found.push([one.name, error.message]); }
+    try { found.push([one.name, await ask("POST", "/api/picture", { name: one.name, state: $("state").value || "aligned", shown })]); } catch (error) { found.push([one.name, error.message]); }
     if (mine !== picturing) return;
   }
-  const first = found.map(([, picture]) => picture).find((picture) => picture.names);
+  const first = found.map(([, picture]) => picture).find((picture) => picture?.names);
   if (first) {
     const kept = $("field").value, names = first.names[first.kind];
     $("field").replaceChildren(...names.map((name) => h("option", { value: name }, start.titles[name] ?? `${name} body`)));
@@ -315,12 +315,18 @@ async function drawPictures() {
     for (const option of $("kind").options) option.disabled = !first.names[option.value]?.length;
     $("kind").value = first.kind;
   }
-  shareColours(found.map(([, picture]) => picture).filter((picture) => picture.names));
+  shareColours(found.map(([, picture]) => picture).filter((picture) => picture?.names));
   const box = $("pictures");
+  if (box.firstElementChild?.tagName === "P") box.replaceChildren();
   while (box.children.length > found.length) box.lastChild.remove();
   found.forEach(([name, picture], i) => {
     const figure = box.children[i] ?? box.appendChild(h("figure", {}, h("figcaption"), h("div", { class: "plot", role: "img" })));
     const [caption, plot] = figure.children;
+    if (picture === null) { // just written to, or nothing is stored so far: what is there stays
+      if (figure.dataset.of !== name) { caption.textContent = `${name}: nothing is stored so far`; Plotly.purge(plot); }
+      return;
+    }
+    figure.dataset.of = name;
     if (typeof picture === "string") { caption.textContent = `${name}: ${picture}`; Plotly.purge(plot); return; }
     caption.textContent = `${name.replace(/^results\//, "")}: ${picture.title}, ${picture.state}`;
     if (plot.dataset.kind !== picture.kind) Plotly.purge(plot);
