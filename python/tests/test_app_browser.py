@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import brinell
@@ -129,6 +130,21 @@ def test_fields_follow_what_is_chosen(page: Page) -> None:
     page.choose('[id="f-scenario"]', "rolling")
     page.wait("page.values['rolling.distance']")
     page.settled()
+
+
+def test_measured_heights_of_the_folder_are_offered_and_used(page: Page) -> None:
+    np.save(page.server.folder / "heights.npy", np.full((8, 8), 1e-7))
+    page.wait("[...document.getElementById('data-files').options].some((one) => one.value === 'heights.npy')")
+    page.unfold()
+    page.choose('[id="f-lower.texture[0].type"]', "height_map")
+    page.wait("document.getElementById('f-lower.texture[0].file')?.getAttribute('list') === 'data-files'")
+    page.type("lower.texture[0].file", "heights.npy")
+    page.type("lower.texture[0].spacing", "10, 10")
+    page.wait("page.checked.errors.length === 0 && page.checked.text.includes('heights.npy')")
+    assert page.values()["lower.texture[0].spacing"] == ["10 mm", "10 mm"]
+    page.type("lower.texture[0].file", "/etc/hostname")
+    page.wait("page.checked.errors.length === 1")
+    assert "is outside the folder of this page" in page.one('[data-key="lower.texture[0].file"]').text
 
 
 def test_every_key_that_applies_has_its_field(page: Page) -> None:

@@ -242,6 +242,11 @@ def test_no_text_of_a_case_leads_outside_its_folder(templates: dict[str, dict[st
         assert not any("outside the folder" in error.text for error in inside.errors)
 
 
+def test_files_of_a_case_are_known() -> None:
+    files = {one.key for one in form().values() if one.is_file}
+    assert files == {f"{body}.{key}.file" for body in ("lower", "upper") for key in ("texture", "material.hardening")}
+
+
 def test_text_that_is_no_case_is_refused() -> None:
     for text in ("= 3", "[a\n", "a = 1\na = 2\n", "\0", "a = " + "[" * 3000):
         with pytest.raises(brinell.InputError, match="not a case file"):

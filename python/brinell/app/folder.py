@@ -15,6 +15,7 @@ from brinell.errors import InputError, IoError
 __all__ = ["Entry", "Folder"]
 
 _DEPTH = 4
+_DATA = (".npy", ".csv", ".txt", ".dat", ".xyz", ".asc")
 _MOST = 500
 _MOST_FOLDERS = 2000
 _LARGEST_CASE = 4_000_000  # bytes
@@ -25,7 +26,7 @@ class Entry:
     """Something that the folder holds."""
 
     kind: str
-    """case, run, sweep or fit."""
+    """case, run, sweep, fit, or data: a file that a case may read."""
     name: str
     """Path from the folder, with slashes."""
     changed: float
@@ -92,7 +93,7 @@ class Folder:
         return path.relative_to(self.root).as_posix()
 
     def entries(self) -> list[Entry]:
-        """Cases, runs, sweeps and fits, those changed last first; of a large tree those that are not deep in it."""
+        """What there is, changed last first; of a large tree what is not deep in it."""
         found: list[Entry] = []
         folders = deque([(self.root, 0)])
         for _ in range(_MOST_FOLDERS):
@@ -123,6 +124,7 @@ class Folder:
             for one in names.values()
             if one.name.endswith(".toml") and not one.name.startswith(".") and _is_case(one)
         ]
+        found += [self._entry("data", Path(one.path), one) for one in names.values() if Path(one.name).suffix in _DATA]
         below = [Path(one.path) for one in here if one.is_dir(follow_symlinks=False) and not one.name.startswith(".")]
         return found, below
 

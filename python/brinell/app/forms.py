@@ -71,6 +71,8 @@ class Field:
     """The table of the key, if it may be repeated; empty: it may not."""
     per_axis: bool
     """Whether a choice may also be a list, along x and along y."""
+    is_file: bool
+    """Whether the text is the path of a file that the case reads."""
 
 
 @dataclass(frozen=True)
@@ -108,6 +110,7 @@ def _field(entry: _core.SchemaKey) -> Field:
         pure_if=entry.pure_if,
         list=entry.list,
         per_axis=entry.per_axis,
+        is_file=entry.kind == "text" and re.match(r"(Text )?[Ff]ile\b", entry.text) is not None,
     )
 
 

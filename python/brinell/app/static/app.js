@@ -164,6 +164,7 @@ async function refresh() {
   fill($("open"), "a case of the folder", names("case").map((one) => one.name));
   const runs = names("run").filter((one) => !/\/runs\/\d+$/.test(one.name)).map((one) => one.name);
   fill($("add-run"), runs.length ? "…" : "none yet", runs);
+  $("data-files").replaceChildren(...names("data").map((one) => h("option", { value: one.name })));
   const kept = $("figures-of").value, results = [...runs, ...names("sweep").map((one) => one.name), ...names("fit").map((one) => one.name)];
   $("figures-of").replaceChildren(...results.map((name) => h("option", { value: name }, name)));
   if (results.includes(kept)) $("figures-of").value = kept;

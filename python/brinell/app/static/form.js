@@ -243,7 +243,7 @@ class Form {
     if (isNumeric) return this.number(key, field, value, attributes, units);
     const shown = value === undefined ? "" : typeof value === "string" ? value : JSON.stringify(value);
     const isText = field.kind === "text" || field.kind === "snapshots";
-    const input = h("input", { type: "text", ...attributes, value: shown, placeholder: field.default,
+    const input = h("input", { type: "text", ...attributes, value: shown, placeholder: field.default, list: field.is_file ? "data-files" : null,
       onchange: () => set(input.value === "" ? undefined : isText ? listOr(input.value, field.kind) : parsedOr(input.value)) });
     return input;
   }
