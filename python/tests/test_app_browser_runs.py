@@ -53,12 +53,16 @@ def test_runs_are_compared_side_by_side(page: Page) -> None:
     assert "Hardness" in table
 
     page.tab("fields")
-    for kind, layer in (
-        ("section", ".heatmaplayer image"),
-        ("map of the contact", ".heatmaplayer image"),
-        ("surface in 3-D", "canvas"),
-    ):
+    pictures = {
+        "section": "Von Mises stress",
+        "map of the contact": "Contact pressure",
+        "surface in 3-D": "Residual height",
+    }
+    for kind, title in pictures.items():
         page.choose("#kind", kind)
+        captions = "[...document.querySelectorAll('#pictures figcaption')].map((one) => one.textContent)"
+        page.wait(f"{captions}.filter((text) => text.includes('{title}')).length === 2 && picturing === pictured")
+        layer = "canvas" if kind == "surface in 3-D" else ".heatmaplayer image"
         page.wait(f"document.querySelectorAll('#pictures figure {layer}').length >= 2")
         labels = page.js(
             "[...document.querySelectorAll('#pictures .plot')].map((one) => one.getAttribute('aria-label'))"

@@ -294,7 +294,7 @@ function drawStates() {
   if ([...$("state").options].some((one) => one.value === kept)) $("state").value = kept;
 }
 
-let picturing = 0;
+let picturing = 0, pictured = 0; // numbers of the request and of what is drawn
 async function drawPictures() {
   if ($("fields").hidden) return;
   const mine = ++picturing, shown = { kind: $("kind").value, name: $("field").value };
@@ -336,6 +336,7 @@ async function drawPictures() {
     drawPicture(plot, picture);
   });
   if (!found.length) box.replaceChildren(h("p", { class: "quiet" }, "Nothing is shown. Run a case, or add a run."));
+  pictured = mine;
 }
 
 function drawNumbers() {

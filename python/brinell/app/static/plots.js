@@ -54,7 +54,7 @@ function drawPicture(element, picture) {
   const common = { colorscale: picture.colours, [isSurface ? "cmin" : "zmin"]: picture.low, [isSurface ? "cmax" : "zmax"]: picture.high };
   const data = picture.parts.map((part, i) => ({
     ...common, type: isSurface ? "surface" : "heatmap", x: part.x, y: part.y, z: part.values, name: part.name, showscale: i === 0, colorbar: bar,
-    ...(isSurface ? { contours: { z: { show: false } }, lighting: { ambient: 0.75, diffuse: 0.5, specular: 0.05 } } : { zsmooth: "best" }),
+    ...(isSurface ? { contours: { z: { show: false } }, lighting: { ambient: 0.75, diffuse: 0.5, specular: 0.05 } } : { zsmooth: false }), // the cells, as computed
     hovertemplate: `%{z:.4g} ${picture.unit}<br>${picture.axes[0]} %{x:.4g}, ${picture.axes[1]} %{y:.4g} ${picture.length}<extra>${part.name}</extra>`,
   }));
   const axis = (i) => ({ ...AXIS, zeroline: false, showgrid: false, title: { text: `${picture.axes[i]}  [${picture.length}]`, standoff: 6 } });
