@@ -2,6 +2,7 @@
 # ruff: noqa: E402 (the extra is asked for first)
 """Axes, designs, and one run of a sweep."""
 
+from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
@@ -13,11 +14,13 @@ from brinell import Case, InputError
 for extra in ("pandas", "pyarrow", "scipy"):
     pytest.importorskip(extra)
 
-from brinell.sweeps import Choices, Range, driver
+from brinell.sweeps import Choices, Range
 from brinell.sweeps.axes import axis_of
 from brinell.sweeps.designs import points_of
-from brinell.sweeps.folder import Ledger, flattened
+from brinell.sweeps.folder import flattened
+from brinell.sweeps.ledger import Ledger
 from brinell.sweeps.lists import with_whole_lists
+from brinell.sweeps.loop import compute_all, lost_reason
 from brinell.sweeps.point import Outcome, Task, compute, finished_summary
 from brinell.sweeps.pools import Lost
 from sweep_case import CASE
@@ -172,16 +175,22 @@ class _LosingPool:
     def __init__(self) -> None:
         self.submitted: list[int] = []
 
-    def submit(self, task: Task) -> Future[Outcome]:
-        self.submitted.append(task.index)
-        future: Future[Outcome] = Future()
-        future.set_result(Outcome(task.index, "failed", reason="as it must"))
+    def chunks(self, tasks: Sequence[Task]) -> list[list[Task]]:
+        return [[task] for task in tasks]
+
+    def submit(self, chunk: Sequence[Task]) -> Future[list[Outcome]]:
+        self.submitted += [task.index for task in chunk]
+        future: Future[list[Outcome]] = Future()
+        future.set_result([Outcome(task.index, "failed", reason="as it must") for task in chunk])
         return future
 
-    def collect(self, future: Future[Outcome]) -> Outcome:
-        if future.result().index == 0:
+    def collect(self, future: Future[list[Outcome]]) -> list[Outcome]:
+        if future.result()[0].index == 0:
             raise Lost
         return future.result()
+
+    def losses(self) -> list[str]:
+        return []
 
     def stop(self) -> None:
         raise AssertionError("nobody asked to stop")
@@ -195,7 +204,6 @@ def test_a_run_that_is_lost_again_and_again_has_failed(tmp_path: Path) -> None:
     ledger = Ledger(tmp_path, [{}, {}], [text, text])
     pool = _LosingPool()
     tasks = [Task(i, text, str(tmp_path / str(i)), 1) for i in (0, 1)]
-    with driver._bar(ledger, 2, shown=False) as bar:
-        driver._compute(tasks, pool, ledger, bar)
+    compute_all(tasks, pool, ledger, print)
     assert sorted(pool.submitted) == [0, 0, 0, 1]
-    assert ledger.table()["reason"].tolist() == [driver._lost_reason(3), "as it must"]
+    assert ledger.table()["reason"].tolist() == [lost_reason(3), "as it must"]

@@ -4,23 +4,71 @@
     result = brinell.sweep("case.toml", {"tugging.interference": "1:15:15"}, output="results/alpha")
     result.table.plot("tugging.interference", "energy.net_J")
 
-Modules: `axes` (varied keys), `designs` (points), `lists` (axes over entries of lists), `point` (one run in a worker),
-`pools` (processes or cluster), `folder` (files of a sweep), `numbers`
-(further columns), `driver` (the function `sweep`), `cli` (the command).
+Modules, from the bottom up: `axes` (varied keys), `designs` (points), `lists` (axes over entries of lists), `point`
+(one run in a worker), `pools` (processes), `loop` (keeps a pool busy), `journal` (what became of each run, line by line),
+`clusters` (workers of Dask), `slurm`, `arrays`, `task`, `submission` (job arrays: Slurm's commands, their folders, a
+task on a node, the process that waits), `kept` (folders that are asked for), `folder`, `ledger` (files and table of a
+sweep), `numbers` (further columns), `result` (a finished sweep), `driver` (the function `sweep`), `cli` (the command).
 """
 
-from brinell.errors import MissingExtraError
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-try:
-    import pandas as _pandas  # noqa: F401 (asked for at the door)
-    import pyarrow as _pyarrow  # noqa: F401
-    import scipy as _scipy  # noqa: F401
-except ModuleNotFoundError as error:
-    raise MissingExtraError("a sweep", str(error.name), "sweep") from error
+# What a user asks for is imported then (PEP 562): workers on a cluster start without the packages of tables.
+if TYPE_CHECKING:
+    from brinell.sweeps.axes import Axis, Choices, Range
+    from brinell.sweeps.clusters import Cluster
+    from brinell.sweeps.designs import Design
+    from brinell.sweeps.driver import sweep
+    from brinell.sweeps.numbers import residual_stress
+    from brinell.sweeps.result import Sweep, open_sweep
+    from brinell.sweeps.slurm import Slurm
 
-from brinell.sweeps.axes import Axis, Choices, Range
-from brinell.sweeps.designs import Design
-from brinell.sweeps.driver import Sweep, open_sweep, sweep
-from brinell.sweeps.numbers import residual_stress
+__all__ = [
+    "Axis",
+    "Choices",
+    "Cluster",
+    "Design",
+    "Range",
+    "Slurm",
+    "Sweep",
+    "open_sweep",
+    "residual_stress",
+    "sweep",
+]
 
-__all__ = ["Axis", "Choices", "Design", "Range", "Sweep", "open_sweep", "residual_stress", "sweep"]
+_MODULES = {
+    "axes": "Axis Choices Range",
+    "clusters": "Cluster",
+    "designs": "Design",
+    "driver": "sweep",
+    "numbers": "residual_stress",
+    "result": "Sweep open_sweep",
+    "slurm": "Slurm",
+}
+"""Public names by the module that they are from."""
+
+
+def __getattr__(name: str) -> Any:
+    """Imports what a public name stands for when it is first used."""
+    module = next((module for module, names in _MODULES.items() if name in names.split()), None)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    _require_extra()
+    found = getattr(import_module(f"brinell.sweeps.{module}"), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
+def _require_extra() -> None:
+    for package in ("pandas", "pyarrow", "scipy"):
+        try:
+            import_module(package)
+        except ModuleNotFoundError as error:
+            from brinell.errors import MissingExtraError
+
+            raise MissingExtraError("a sweep", str(error.name), "sweep") from error

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import signal
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
 from brinell import completion
+from brinell._toml import tomllib
 from brinell.case import Case
 from brinell.commands import reports_warnings
 from brinell.errors import InputError
@@ -63,8 +64,46 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     help="Number of threads of each run; default: the number with which all cores are used.",
 )
 @click.option(
-    "--cluster", metavar="ADDRESS", help="Address or scheduler file of a Dask cluster on which the runs are computed."
+    "--cluster",
+    metavar="ADDRESS",
+    help="Address or scheduler file of a Dask cluster on which the runs are computed, or the class of one that is "
+    "started: SLURMCluster, PBSCluster, ... of dask_jobqueue, LocalCluster.",
 )
+@click.option(
+    "--cluster-option",
+    "cluster_options",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Argument of the class of the cluster: cores=8, memory='16 GB', walltime='04:00:00'.",
+)
+@click.option("--jobs", type=click.IntRange(min=1), help="Number of jobs of a cluster that is started.")
+@click.option(
+    "--submit",
+    type=click.Choice(["slurm"]),
+    help="Compute the runs by a job array of Slurm, and wait for it. The same command finds an array that still runs.",
+)
+@click.option(
+    "--slurm",
+    "options",
+    multiple=True,
+    metavar="OPTIONS",
+    help='Options of sbatch for the array: "--partition=short --time=02:00:00".',
+)
+@click.option(
+    "--preamble", multiple=True, metavar="LINE", help="Line of the job's script before the runs: 'module load python'."
+)
+@click.option(
+    "--chunk", type=click.IntRange(min=1), help="Number of runs of a task of a job array, or of a portion for Dask."
+)
+@click.option("--at-once", type=click.IntRange(min=1), help="Largest number of tasks that compute at a time.")
+@click.option("--no-wait", is_flag=True, help="Return when the array is submitted; the same command collects.")
+@click.option(
+    "--keep",
+    metavar="WHICH",
+    help="Runs that write a folder: all, none, or numbers such as 0,10-19. The others are computed in memory and leave "
+    "their row of the table. Default: all; with --submit none.",
+)
+@click.option("--dry-run", is_flag=True, help="Check all cases, print what would be submitted, write nothing.")
 @click.option("--retry-failed", is_flag=True, help="Repeat failed runs, also with other keys of grid and solver.")
 @click.option(
     "--numbers",
@@ -85,6 +124,16 @@ def command(
     workers: int | None,
     threads: int | None,
     cluster: str | None,
+    cluster_options: tuple[str, ...],
+    jobs: int | None,
+    submit: str | None,
+    options: tuple[str, ...],
+    preamble: tuple[str, ...],
+    chunk: int | None,
+    at_once: int | None,
+    no_wait: bool,
+    keep: str | None,
+    dry_run: bool,
     retry_failed: bool,
     numbers: tuple[str, ...],
     quiet: bool,
@@ -97,27 +146,44 @@ def command(
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     if signal.getsignal(signal.SIGHUP) != signal.SIG_IGN:  # SIGHUP is ignored under nohup
         signal.signal(signal.SIGHUP, signal.default_int_handler)
+    # A pipe to a worker that was killed must not end this process, too.
+    signal.signal(signal.SIGPIPE, signal.SIG_IGN)
     try:
-        from brinell.sweeps import sweep
-        from brinell.sweeps.numbers import function_of
+        from brinell.sweeps import Slurm, sweep
+        from brinell.sweeps.driver import dry_run as planned
 
+        given = {"--slurm": options, "--preamble": preamble, "--at-once": at_once, "--no-wait": no_wait}
+        if submit is None and (needless := [name for name, value in given.items() if value]):
+            raise InputError(f"{needless[0]} has no meaning without --submit slurm")
+        wanted = None if submit is None else Slurm(options, preamble, chunk, at_once, wait=not no_wait)
+        varied: dict[str, Any] = {"design": _DESIGNS[design], "samples": samples, "seed": seed}
         with reports_warnings():
+            base = Case.from_file(case, overrides)
+            if dry_run:
+                click.echo(planned(base, _axes(over), output=output, submit=wanted, **varied))
+                return
             result = sweep(
-                Case.from_file(case, overrides),
+                base,
                 _axes(over),
                 output=output,
-                design=_DESIGNS[design],  # type: ignore[arg-type]
-                samples=samples,
-                seed=seed,
                 workers=workers,
                 threads=threads,
-                cluster=cluster,
+                cluster=_cluster(cluster, cluster_options, jobs),
+                submit=wanted,
+                chunk=chunk if wanted is None else None,
+                keep=keep,
                 progress=not quiet,
                 retry_failed=retry_failed,
-                numbers=[function_of(text) for text in numbers],
+                numbers=numbers,
+                **varied,
             )
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interrupt:
+        if submit is not None and str(interrupt):
+            _end(f"brinell: {str(interrupt).replace('the same call', 'the same command')}", 130)
         _end(f"brinell: interrupted; what is done is in {output / 'table.csv'}, and the same command goes on", 130)
+    if no_wait and (waiting := result.awaited):
+        click.echo(f"{len(result.table)} runs are done, {waiting} are with Slurm; the same command collects them")
+        return
     if not quiet:
         click.echo(f"{len(result.table)} runs, {len(result.failures)} failed: {output / 'table.csv'}")
     if len(result.failures) > 0:
@@ -136,6 +202,28 @@ def _axes(over: tuple[str, ...]) -> dict[str, str]:
             raise InputError(f"--over {text}: {key} is already an axis; give all its values at once")
         axes[key] = values.strip()
     return axes
+
+
+def _cluster(cluster: str | None, options: tuple[str, ...], jobs: int | None) -> Any:
+    """The cluster of the command line: an address or a file, or one that is started."""
+    from brinell.sweeps import Cluster
+
+    if cluster is not None and Cluster.is_name(cluster) and not Path(cluster).exists():
+        return Cluster(cluster, dict(_option(text) for text in options), jobs)
+    if options or jobs:
+        what = "--cluster-option" if options else "--jobs"
+        raise InputError(f"{what} has no meaning without --cluster CLASS, such as --cluster SLURMCluster")
+    return cluster
+
+
+def _option(text: str) -> tuple[str, Any]:
+    name, equals, value = text.partition("=")
+    if not equals or not name.isidentifier():
+        raise InputError(f"--cluster-option {text}: allowed: NAME=VALUE, as in cores=8")
+    try:
+        return name, tomllib.loads(f"value = {value}")["value"]
+    except tomllib.TOMLDecodeError:
+        return name, value
 
 
 def _end(message: str, exit_code: int) -> NoReturn:

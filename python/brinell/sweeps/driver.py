@@ -8,111 +8,34 @@ import itertools
 import os
 import sys
 import warnings
-from collections import Counter, deque
-from collections.abc import Iterable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Future, as_completed, wait
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
-import pandas as pd
 from tqdm.auto import tqdm
 
 from brinell import _core
 from brinell.case import Case, CaseWarning, ResolutionWarning
-from brinell.errors import InputError
-from brinell.results import Run, open_run
+from brinell.errors import InputError, IoError
+from brinell.sweeps.arrays import array_script, chunks_of, refuse_running
 from brinell.sweeps.axes import Axis, Choices, axis_of
+from brinell.sweeps.clusters import Cluster, DaskPool
 from brinell.sweeps.designs import Design, Point, points_of
-from brinell.sweeps.folder import FORMAT_VERSION, Ledger, locked, read_record, run_folder, start_folder, write_table
+from brinell.sweeps.folder import FORMAT_VERSION, locked, run_folder, start_folder, write_table
+from brinell.sweeps.journal import Journal, journal_folder
+from brinell.sweeps.kept import kept_of
+from brinell.sweeps.ledger import Ledger
 from brinell.sweeps.lists import table_of, with_whole_lists
-from brinell.sweeps.numbers import Numbers, functions_of, with_numbers
+from brinell.sweeps.loop import compute_all
+from brinell.sweeps.numbers import Numbers, functions_of, packed, with_numbers
 from brinell.sweeps.point import Outcome, Task
-from brinell.sweeps.pools import DaskPool, LocalPool, Lost, Pool
+from brinell.sweeps.pools import LocalPool, Pool
+from brinell.sweeps.result import Sweep
+from brinell.sweeps.slurm import Slurm, largest_array
+from brinell.sweeps.submission import SlurmRuns
 
-__all__ = ["Sweep", "open_sweep", "sweep"]
-
-_MOST_LOSSES = 3
-"""Number of times that the process of a run may die before the run counts as failed."""
-
-
-@dataclass(frozen=True, eq=False)
-class Sweep:
-    """The results of a sweep.
-
-    Attributes:
-        path: folder of the sweep.
-        table: one row per finished or failed run: index, values of the axes (SI, as in the case), status, reason of a
-            failure, wall_time_s [s], folder, and all scalar values of the summary by dotted key, such as "energy.net_J"
-            or "indents.0.hardness_Pa".
-    """
-
-    path: Path
-    table: pd.DataFrame
-
-    @property
-    def runs(self) -> Mapping[int, Run]:
-        """Finished runs by index; each is opened when it is accessed."""
-        return _Runs(self.path, self.table["index"][self.table["status"] == "done"].tolist())
-
-    @property
-    def failures(self) -> pd.DataFrame:
-        """Rows of the table for the failed runs."""
-        return self.table[self.table["status"] == "failed"]
-
-    @property
-    def warnings(self) -> Mapping[str, list[int]]:
-        """Indices of the runs that have a warning, by its key; its text is in `Run.warnings` and in the table."""
-        found: dict[str, list[int]] = {}
-        for name in self.table.columns[self.table.columns.str.fullmatch(r"warnings\.\d+\.key")]:
-            for index, key in self.table.set_index("index")[name].dropna().items():
-                found.setdefault(key, []).append(int(index))
-        return {key: sorted(indices) for key, indices in found.items()}
-
-    def with_numbers(self, *functions: Numbers) -> Sweep:
-        """This sweep with further columns in its table.
-
-        `sweep.with_numbers(brinell.sweeps.residual_stress, lambda run: {"loads": len(run.indents)}).table`
-
-        Args:
-            functions: functions of a finished run that return numbers by the names of their columns.
-
-        Raises:
-            InputError: a function fails or returns something else; the text names it and the run.
-        """
-        return Sweep(self.path, with_numbers(self.table, self.runs, functions_of(functions)))
-
-    def __repr__(self) -> str:
-        return f"<brinell.Sweep {str(self.path)!r}: {len(self.runs)} runs done, {len(self.failures)} failed>"
-
-
-class _Runs(Mapping[int, Run]):
-    def __init__(self, path: Path, indices: list[int]):
-        self._path = path
-        self._indices = dict.fromkeys(indices)
-
-    def __getitem__(self, index: int) -> Run:
-        if index not in self._indices:
-            raise KeyError(index)
-        return open_run(run_folder(self._path, index))
-
-    def __iter__(self) -> Iterator[int]:
-        return iter(self._indices)
-
-    def __len__(self) -> int:
-        return len(self._indices)
-
-
-def open_sweep(path: str | Path) -> Sweep:
-    """Opens the folder of a sweep, also of one that is still running.
-
-    Raises:
-        InputError: the folder holds no sweep, or no run of it has ended.
-    """
-    path = Path(path)
-    if read_record(path) is None or not (path / "table.parquet").is_file():
-        raise InputError(f"{path}: no sweep, or none of which a run has ended")
-    return Sweep(path, pd.read_parquet(path / "table.parquet"))
+__all__ = ["case_texts", "dry_run", "sweep"]
 
 
 def sweep(
@@ -126,10 +49,13 @@ def sweep(
     workers: int | None = None,
     threads: int | None = None,
     cluster: Any = None,
+    submit: Slurm | Literal["slurm"] | None = None,
+    chunk: int | None = None,
+    keep: str | Iterable[int] | None = None,
     progress: bool = True,
     resume: bool = True,
     retry_failed: bool = False,
-    numbers: Numbers | Iterable[Numbers] | None = None,
+    numbers: Numbers | str | Iterable[Numbers | str] | None = None,
 ) -> Sweep:
     """Computes a case for many values of some of its keys.
 
@@ -153,13 +79,20 @@ def sweep(
         workers: number of processes on this machine; None: number of cores, divided by `threads` if given. Not allowed
             with `cluster`.
         threads: number of threads of each run; None: chosen to use all cores, on a cluster those of its worker.
-        cluster: Dask cluster that computes the runs instead: its address, scheduler file, cluster object or client.
+        cluster: Dask cluster that computes the runs instead: its address, scheduler file, cluster object or client, or
+            a `Cluster` or the name of its class, which is then started: "SLURMCluster" of dask_jobqueue.
+        submit: "slurm" or a `Slurm`: compute the runs by a job array of Slurm, and wait for it. Ctrl-C leaves the array
+            in peace; the next call finds it.
+        chunk: number of runs that a worker of the Dask cluster gets together; None: by the number of runs and workers.
+        keep: which runs write folders: "all", "none", or indices, also as text "0,10-19". Other runs are computed in
+            memory and leave their row of the table. None: all, with `submit` none.
         progress: show a progress bar.
         resume: resume the same sweep in the folder; False: an existing sweep in the folder is an error.
         retry_failed: compute failed runs again. The keys of grid and solver may then differ from before; they become
             columns of the table.
         numbers: function of a finished run that returns numbers by the names of their columns, or several; they are
-            called when all runs have ended. `brinell.sweeps.residual_stress` is one.
+            called when all runs have ended, those of a run without a folder right after it, in its process.
+            `brinell.sweeps.residual_stress` is one; text stands for a function as on the command line.
 
     Returns:
         The table, with access to the runs.
@@ -167,7 +100,8 @@ def sweep(
     Raises:
         InputError: an axis, the design or the case at some point is invalid (checked before the first run), or the
             folder holds another sweep.
-        IoError: the folder cannot be written, another sweep is using it, or the cluster is lost.
+        IoError: the folder cannot be written, another sweep is using it, or the cluster is lost; or tasks of a job
+            array were cancelled, or cannot compute: the text names them and their runs.
 
     Warns:
         ResolutionWarning: runs have warnings: how many have which, see `Sweep.warnings`.
@@ -176,9 +110,9 @@ def sweep(
     functions = functions_of(numbers)
     axes = _axes(over)
     points = points_of(axes, design, samples, seed)
-    texts = _case_texts(base, points)
-    if cluster is not None and workers is not None:
-        raise InputError(f"workers = {workers} has no meaning with a cluster, which has its own")
+    texts = case_texts(base, points)
+    wanted = _wanted(cluster, submit, workers, chunk)
+    kept = kept_of(keep, len(points), otherwise="all" if wanted is None else "none")
     path = Path(output).absolute()
     record = {
         "format": "brinell-sweep",
@@ -193,26 +127,73 @@ def sweep(
     }
     with locked(path):
         changed = start_folder(path, record, resume=resume, retry_failed=retry_failed)
-        ledger = Ledger(path, points, texts, changed)
-        missing = ledger.missing(retry_failed=retry_failed)
+        ledger = Ledger(path, points, texts, changed, kept=kept)
+        of_workers = packed(functions) if len(kept) < len(points) else ()
+
+        def task_of(index: int, threads: int) -> Task:
+            own = () if index in kept else of_workers
+            return Task(index, texts[index], str(run_folder(path, index)), threads, index in kept, own)
+
+        problems: list[str] = []
         try:
-            if missing:
-                pool = _pool(cluster, path, workers, threads, len(missing))
-                tasks = [Task(i, texts[i], str(run_folder(path, i)), pool.threads) for i in missing]
-                with contextlib.closing(pool), _bar(ledger, len(points), shown=progress) as bar:
-                    _compute(tasks, pool, ledger, bar)
-        except KeyboardInterrupt:
+            with _bar(ledger, len(points), shown=progress) as bar:
+                if wanted is not None:
+                    problems = _submit(wanted, path, ledger, bar, lambda i: task_of(i, threads or 0), retry_failed)
+                else:
+                    refuse_running(path)
+                    if missing := ledger.missing(retry_failed=retry_failed):
+                        ledger.tidy_journals()
+                        pool = _pool(cluster, path, workers, threads, len(missing), chunk)
+                        if isinstance(pool, LocalPool):
+                            ledger.journal = Journal(journal_folder(path) / "runs.jsonl")
+                        notes = _Shown(ledger, bar)
+                        with contextlib.closing(pool):
+                            compute_all([task_of(i, pool.threads) for i in missing], pool, notes, _teller(bar))
+        except KeyboardInterrupt as interrupt:
             done = f"{len(ledger)} of {len(points)} runs are done, those begun have a checkpoint"
-            raise KeyboardInterrupt(f"interrupted; {done}, in {path}: the same call goes on") from None
+            how = str(interrupt) or f"interrupted; {done}, in {path}: the same call goes on"
+            raise KeyboardInterrupt(how) from None
         finally:
             if len(ledger) > 0:
                 ledger.write()
-        result = Sweep(path, ledger.table())
-        if functions:
-            result = result.with_numbers(*functions)
+        if not ledger.is_awaited:
+            ledger.tidy_journals()
+        awaited = len(points) - len(ledger) if ledger.is_awaited else 0
+        result = Sweep(path, ledger.table(), awaited)
+        if functions and len(result.table) > 0 and not awaited:
+            table = with_numbers(result.table, result.runs, functions, ledger.numbers)
+            result = Sweep(path, table, awaited)
             write_table(path, result.table)
     _tell_warnings(result)
+    if problems:
+        raise IoError(f"{path}: {'; '.join(problems)}. The same sweep computes them")
     return result
+
+
+def dry_run(
+    case: Case,
+    over: Mapping[str, Any],
+    *,
+    output: str | Path,
+    submit: Slurm | None,
+    design: Design = "grid",
+    samples: int | None = None,
+    seed: int = 0,
+) -> str:
+    """What a sweep would do: number of runs, and the script of its first job array. All cases are checked.
+
+    Raises:
+        InputError: as of `sweep`.
+        IoError: there is no Slurm, or it does not answer.
+    """
+    points = points_of(_axes(over), design, samples, seed)
+    texts = case_texts(case, points)
+    path = Path(output).absolute()
+    if submit is None:
+        return f"{len(points)} runs; all cases are valid"
+    tasks = [Task(i, texts[i], str(run_folder(path, i)), 0) for i in range(len(points))]
+    chunks = chunks_of(tasks, submit, largest_array())
+    return f"# {len(points)} runs in {len(chunks)} tasks of {len(chunks[0])}\n{array_script(path, submit, len(chunks))}"
 
 
 def _tell_warnings(result: Sweep) -> None:
@@ -222,7 +203,7 @@ def _tell_warnings(result: Sweep) -> None:
         return
     runs = len(set(itertools.chain.from_iterable(told.values())))
     each = ", ".join(f"{key} ({len(indices)})" for key, indices in told.items())
-    text = f"{runs} of {len(result.runs)} runs have warnings: {each}; their texts are in the table, columns warnings.*"
+    text = f"{runs} of {result.done} runs have warnings: {each}; their texts are in the table, columns warnings.*"
     warnings.warn(text, ResolutionWarning, stacklevel=3)
 
 
@@ -240,7 +221,7 @@ def _axis_record(axis: Axis) -> dict[str, Any]:
     return {"values": list(axis.items)} if isinstance(axis, Choices) else asdict(axis)
 
 
-def _case_texts(base: Case, points: list[Point]) -> list[str]:
+def case_texts(base: Case, points: list[Point]) -> list[str]:
     """Texts of the cases with all defaults; invalid cases raise an error before the first run."""
     texts = []
     table = table_of(base)
@@ -257,12 +238,54 @@ def _case_texts(base: Case, points: list[Point]) -> list[str]:
     return texts
 
 
-def _pool(cluster: Any, path: Path, workers: int | None, threads: int | None, runs: int) -> Pool:
+def _wanted(cluster: Any, submit: object, workers: int | None, chunk: int | None) -> Slurm | None:
+    """How runs are submitted to a batch system, if they are."""
+    wanted = Slurm() if submit == "slurm" else submit
+    if wanted is not None and not isinstance(wanted, Slurm):
+        raise InputError(f"submit = {submit!r}; allowed: 'slurm', or a brinell.sweeps.Slurm")
+    if wanted is not None and cluster is not None:
+        raise InputError("submit and cluster stand for two ways to compute; allowed: one of both")
+    if workers is not None and (cluster is not None or wanted is not None):
+        what = "a cluster" if wanted is None else "a job array"
+        raise InputError(f"workers = {workers} has no meaning with {what}, which has its own")
+    if chunk is not None and (cluster is None or chunk < 1):
+        raise InputError(f"chunk = {chunk}; allowed: 1 or more, with a Dask cluster; a `Slurm` has its own")
+    return wanted
+
+
+def _submit(
+    wanted: Slurm, path: Path, ledger: Ledger, bar: Any, task_of: Callable[[int], Task], retry_failed: bool
+) -> list[str]:
+    """Computes runs by job arrays; returns what the user must do something about."""
+    arrays = SlurmRuns(path, wanted, ledger, bar, _teller(bar))
+    ledger.is_awaited = bool(arrays.arrays)
+    if retry_failed and arrays.arrays:
+        raise IoError(f"{path}: job {arrays.arrays[0].job} still computes; failed runs are retried when it has ended")
+    missing = ledger.missing(retry_failed=retry_failed)
+    if not arrays.arrays:
+        ledger.tidy_journals()
+    try:
+        arrays.compute([task_of(index) for index in missing])
+    except KeyboardInterrupt:
+        if not arrays.arrays:
+            raise
+        job = arrays.arrays[0].job
+        raise KeyboardInterrupt(
+            f"interrupted; job {job} of Slurm goes on: the same call collects what it does, 'scancel {job}' ends it"
+        ) from None
+    finally:
+        ledger.is_awaited = bool(arrays.arrays)
+    return arrays.problems
+
+
+def _pool(cluster: Any, path: Path, workers: int | None, threads: int | None, runs: int, chunk: int | None) -> Pool:
     for name, value in (("workers", workers), ("threads", threads)):
         if value is not None and value < 1:
             raise InputError(f"{name} = {value}; allowed: 1 or more")
     if cluster is not None:
-        return DaskPool(cluster, path / "stop", threads or 0)
+        if isinstance(cluster, str) and Cluster.is_name(cluster) and not Path(cluster).exists():
+            cluster = Cluster(cluster)
+        return DaskPool(cluster, path, threads or 0, chunk=chunk)
     cores = len(os.sched_getaffinity(0))
     if workers is None:
         workers = max(1, cores // (threads or 1))
@@ -270,58 +293,32 @@ def _pool(cluster: Any, path: Path, workers: int | None, threads: int | None, ru
     return LocalPool(workers, threads or max(1, cores // workers))
 
 
+class _Shown:
+    """A ledger whose outcomes move a progress bar."""
+
+    def __init__(self, ledger: Ledger, bar: Any):
+        self._ledger = ledger
+        self._bar = bar
+        self.begun, self.stopped, self.lost = ledger.begun, ledger.stopped, ledger.lost
+
+    def add(self, outcome: Outcome, text: str) -> None:
+        """Adds an outcome to both."""
+        self._ledger.add(outcome, text)
+        self._bar.set_postfix(failed=self._ledger.failed, refresh=False)
+        self._bar.update()
+
+
+def _teller(bar: Any) -> Callable[[str], None]:
+    """Function that tells the user something beside the progress bar, if that is shown."""
+
+    def tell(message: str) -> None:
+        if not bar.disable:
+            bar.write(message, file=sys.stderr)
+
+    return tell
+
+
 @contextlib.contextmanager
 def _bar(ledger: Ledger, runs: int, *, shown: bool) -> Iterator[Any]:
     with tqdm(total=runs, initial=len(ledger), unit="run", disable=not shown) as bar:
         yield bar
-
-
-def _compute(tasks: list[Task], pool: Pool, ledger: Ledger, bar: Any) -> None:
-    waiting = deque(tasks)
-    running: dict[Future[Outcome], Task] = {}
-    losses: Counter[int] = Counter()
-
-    def add(outcome: Outcome) -> None:
-        ledger.add(outcome)
-        bar.set_postfix(failed=ledger.failed, refresh=False)
-        bar.update()
-
-    try:
-        while waiting or running:
-            while waiting and pool.has_room:
-                task = waiting.popleft()
-                running[pool.submit(task)] = task
-            done = wait(running, return_when=FIRST_COMPLETED).done
-            for future in done:
-                task = running.pop(future)
-                outcome = _outcome(pool, future)
-                if outcome is not None:
-                    add(outcome)
-                    continue
-                losses[task.index] += 1
-                if losses[task.index] < _MOST_LOSSES:
-                    waiting.appendleft(task)
-                else:
-                    add(Outcome(task.index, "failed", reason=_lost_reason(_MOST_LOSSES)))
-            for loss in pool.losses() if not bar.disable else ():
-                bar.write(loss, file=sys.stderr)
-    except KeyboardInterrupt:
-        pool.stop()
-        for future in as_completed(running):
-            outcome = _outcome(pool, future)
-            if outcome is not None:
-                add(outcome)
-        raise
-
-
-def _outcome(pool: Pool, future: Future[Outcome]) -> Outcome | None:
-    """Outcome of a run; None if its process died, or it was stopped by something else than this sweep."""
-    try:
-        outcome = pool.collect(future)
-    except Lost:
-        return None
-    return outcome if outcome.status != "stopped" else None
-
-
-def _lost_reason(times: int) -> str:
-    return f"its process came to a sudden end {times} times: killed, or out of memory?"

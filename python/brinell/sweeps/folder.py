@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The folder of a sweep: its definition (sweep.json), one folder per run, the table, and the reasons of failures.
+"""The folder of a sweep: its definition (sweep.json), folders of runs, the table, and the reasons of failures.
 
 All files are replaced atomically, so that they can be read at any time.
 """
@@ -10,8 +10,7 @@ import contextlib
 import fcntl
 import json
 import os
-import time
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -19,29 +18,24 @@ import pandas as pd
 
 from brinell._toml import tomllib
 from brinell.errors import InputError, IoError
-from brinell.sweeps.designs import Point
-from brinell.sweeps.lists import entry_of
-from brinell.sweeps.point import HARMLESS, Outcome, finished_summary
+from brinell.sweeps.point import HARMLESS
 
 __all__ = [
     "FORMAT_VERSION",
-    "Ledger",
     "flattened",
     "locked",
+    "read_failures",
     "read_record",
     "run_folder",
     "start_folder",
     "without_formulas",
+    "write_failures",
     "write_table",
 ]
 
 FORMAT_VERSION = 1
 _FILES = ("table.csv", "table.parquet", "failures.json")
 """Files that a sweep writes after sweep.json."""
-_NOT_RESULTS = ("format", "format_version", "case", "complete", "scenario", "title", "versions")
-"""Entries of a summary that are not results of the run."""
-_WRITING_SHARE = 0.05
-"""Fraction of the time that may be spent on updating the table."""
 
 
 @contextlib.contextmanager
@@ -210,97 +204,19 @@ def flattened(entry: Mapping[str, Any], *, lists: bool = False) -> dict[str, Any
     return flat
 
 
-class Ledger:
-    """The rows of the table and the failures, kept current on disk while runs finish."""
+def read_failures(path: Path) -> dict[str, Any]:
+    """Reasons of failures by the index of the run; none if the file is missing or damaged."""
+    try:
+        failures = json.loads((path / "failures.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return dict(failures)
 
-    def __init__(self, path: Path, points: list[Point], texts: list[str], changed: Collection[str] = ()):
-        """Reads the results of an earlier call from the folder.
 
-        Args:
-            path: folder of the sweep.
-            points: values of the axes of each run.
-            texts: text of the case of each run, with all defaults.
-            changed: keys that differ between runs although they are not axes; they become columns of the table.
-        """
-        self._path = path
-        self._points = points
-        self._texts = texts
-        self._changed = sorted(changed)
-        self._rows: dict[int, dict[str, Any]] = {}
-        self._failures: dict[str, Any] = _read_failures(path)
-        self._next_writing = 0.0
-        for index, text in enumerate(texts):
-            summary = finished_summary(run_folder(path, index), text, self._changed)
-            if summary is not None:
-                self._put(Outcome(index, "done", summary=summary))
-            elif str(index) in self._failures:
-                self._put(Outcome(index, "failed", **self._failures[str(index)]))
-
-    def missing(self, *, retry_failed: bool) -> list[int]:
-        """Indices of the runs that have to be computed, with `retry_failed` including the failed ones."""
-        if retry_failed:
-            self._rows = {index: row for index, row in self._rows.items() if row["status"] == "done"}
-            self._failures = {}
-        return [index for index in range(len(self._texts)) if index not in self._rows]
-
-    @property
-    def failed(self) -> int:
-        """Number of failed runs."""
-        return len(self._failures)
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def add(self, outcome: Outcome) -> None:
-        """Adds the outcome of a finished or failed run."""
-        self._put(outcome)
-        now = time.perf_counter()
-        if now >= self._next_writing:
-            self.write()
-            spent = time.perf_counter() - now
-            self._next_writing = now + spent / _WRITING_SHARE
-
-    def _put(self, outcome: Outcome) -> None:
-        index = outcome.index
-        row: dict[str, Any] = {"index": index}
-        case = tomllib.loads(self._texts[index])
-        for key, given in self._points[index].items():
-            row[key] = _cell(_at(case, key, given))
-        for key in self._changed:
-            row[key] = _cell(_at(outcome.summary.get("case", case), key, None))
-        row |= {
-            "status": outcome.status,
-            "reason": outcome.reason,
-            "wall_time_s": outcome.wall_time,
-            "folder": str(run_folder(self._path, index).relative_to(self._path)),
-        }
-        self._failures.pop(str(index), None)
-        if outcome.status == "failed":
-            self._failures[str(index)] = {
-                "reason": outcome.reason,
-                "traceback": outcome.traceback,
-                "wall_time": outcome.wall_time,
-            }
-        else:
-            row["wall_time_s"] = outcome.summary["run"]["wall_time_s"]
-        results = {key: value for key, value in outcome.summary.items() if key not in _NOT_RESULTS}
-        self._rows[index] = row | flattened(results)
-
-    def table(self) -> pd.DataFrame:
-        """Table with one row per finished or failed run, in the order of the runs."""
-        frame = pd.DataFrame([self._rows[index] for index in sorted(self._rows)])
-        for name, column in frame.items():
-            kinds = {isinstance(value, str) for value in column.dropna()}
-            if len(kinds) > 1:  # a column of a file has one type
-                frame[name] = column.map(str, na_action="ignore")
-        return frame
-
-    def write(self) -> None:
-        """Writes table.csv, table.parquet and failures.json."""
-        frame = self.table()
-        failures = json.dumps(self._failures, indent=2) + "\n"
-        _replace(self._path / "failures.json", lambda part: part.write_text(failures, "utf-8"))
-        write_table(self._path, frame)
+def write_failures(path: Path, failures: Mapping[str, Any]) -> None:
+    """Writes failures.json."""
+    text = json.dumps(failures, indent=2) + "\n"
+    _replace(path / "failures.json", lambda part: part.write_text(text, "utf-8"))
 
 
 def write_table(path: Path, frame: pd.DataFrame) -> None:
@@ -322,36 +238,6 @@ def _is_formula(cell: object) -> bool:
     except ValueError:
         return True
     return False
-
-
-def _at(case: Mapping[str, Any], key: str, otherwise: object) -> Any:
-    """Value in SI units of a dotted key, or of an entry of a list, in a case; `otherwise` if it is missing."""
-    of_list = entry_of(key, otherwise)
-    if of_list is not None:
-        whole = _at(case, of_list[0], [])
-        return whole[of_list[1]] if len(whole) > of_list[1] else otherwise
-    entry: Any = case
-    for part in key.replace("[", ".[").split("."):
-        if part.startswith("[") and isinstance(entry, list):
-            index = int(part[1:-1])
-            entry = entry[index] if index < len(entry) else None
-        elif isinstance(entry, Mapping) and part in entry:
-            entry = entry[part]
-        else:
-            return otherwise  # for example the key of a file whose content is stored in the case instead
-    return entry
-
-
-def _cell(value: Any) -> Any:
-    return json.dumps(value) if isinstance(value, list | Mapping) else value
-
-
-def _read_failures(path: Path) -> dict[str, Any]:
-    try:
-        failures = json.loads((path / "failures.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return dict(failures)
 
 
 def _replace(path: Path, write: Callable[[Path], object]) -> None:

@@ -1,21 +1,35 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers that users compute of each run of a sweep: further columns of its table."""
+"""Numbers that users compute of each run of a sweep: further columns of its table.
+
+Workers import this module, so pandas is imported where it is needed.
+"""
 
 from __future__ import annotations
 
+import functools
 import importlib.util
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-import pandas as pd
 
 from brinell.errors import InputError
 from brinell.results import Run
-from brinell.sweeps.folder import flattened
 
-__all__ = ["Numbers", "function_of", "functions_of", "own_columns", "residual_stress", "with_numbers"]
+if TYPE_CHECKING:
+    import pandas as pd
+
+__all__ = [
+    "Numbers",
+    "function_of",
+    "functions_of",
+    "numbers_of",
+    "own_columns",
+    "packed",
+    "residual_stress",
+    "with_numbers",
+]
 
 Numbers: TypeAlias = Callable[[Run], Mapping[str, Any]]
 """Function of a finished run that returns numbers (or words) by the names of their columns."""
@@ -46,17 +60,19 @@ def residual_stress(run: Run) -> dict[str, float]:
 _BUILT_IN: Mapping[str, Numbers] = {"residual_stress": residual_stress}
 
 
-def functions_of(numbers: Numbers | Iterable[Numbers] | None) -> list[Numbers]:
-    """The functions that a user gives, one or several.
+def functions_of(numbers: Numbers | str | Iterable[Numbers | str] | None) -> list[Numbers]:
+    """The functions that a user gives, one or several, also by words of the command line.
 
     Raises:
         InputError: one of them is no function.
     """
-    given: list[Any] = [] if numbers is None else [numbers] if callable(numbers) else list(numbers)
-    for one in given:
+    given: list[Any]
+    given = [] if numbers is None else [numbers] if callable(numbers) or isinstance(numbers, str) else list(numbers)
+    functions = [function_of(one) if isinstance(one, str) else one for one in given]
+    for one in functions:
         if not callable(one):
             raise InputError(f"numbers = {one!r}; allowed: a function of a run that returns numbers by their names")
-    return given
+    return functions
 
 
 def function_of(text: str) -> Numbers:
@@ -67,6 +83,7 @@ def function_of(text: str) -> Numbers:
     """
     if text in _BUILT_IN:
         return _BUILT_IN[text]
+    # The functions of a file are known by their words to other processes, too, which have not imported the file.
     file, colon, name = text.rpartition(":")
     path = Path(file)
     if not colon or path.suffix != ".py" or not path.is_file():
@@ -83,26 +100,98 @@ def function_of(text: str) -> Numbers:
     function = getattr(module, name, None)
     if not callable(function):
         raise InputError(f"--numbers {text}: {path} has no function {name!r}")
-    found: Numbers = function
+    found: Numbers = functools.wraps(function)(functools.partial(function))
+    found.words = f"{path.absolute()}:{name}"  # type: ignore[attr-defined]
     return found
 
 
-def with_numbers(table: pd.DataFrame, runs: Mapping[int, Run], functions: Sequence[Numbers]) -> pd.DataFrame:
+def packed(functions: Iterable[Numbers]) -> tuple[str | bytes, ...]:
+    """Functions in a form that other processes can call: words of the command line, or bytes of cloudpickle.
+
+    Raises:
+        InputError: a function cannot be taken to another process.
+    """
+    import cloudpickle
+
+    found: list[str | bytes] = []
+    for function in functions:
+        words = next((name for name, one in _BUILT_IN.items() if one is function), getattr(function, "words", None))
+        if words is not None:
+            found.append(words)
+            continue
+        try:
+            found.append(cloudpickle.dumps(function))
+        except Exception as error:
+            raise InputError(f"numbers: {_name(function)} cannot be taken to another process: {error}") from error
+    return tuple(found)
+
+
+@functools.lru_cache(maxsize=32)
+def _unpacked(function: str | bytes) -> Numbers:
+    if isinstance(function, str):
+        return function_of(function)
+    import cloudpickle
+
+    found: Numbers = cloudpickle.loads(function)
+    return found
+
+
+def numbers_of(run: Run, functions: Iterable[str | bytes], index: int) -> dict[str, dict[str, Any]]:
+    """Numbers of a run by the names of the functions, which are as `packed` returns them.
+
+    Raises:
+        InputError: a function fails or returns something else.
+    """
+    return {_name(function): _numbers_of(function, run, index) for function in map(_unpacked, functions)}
+
+
+def _numbers_of(function: Numbers, run: Run, index: int) -> dict[str, Any]:
+    what = f"numbers: {_name(function)} of run {index}"
+    try:
+        found = function(run)
+    except Exception as error:  # of the user's function, whatever it is
+        raise InputError(f"{what}: {type(error).__name__}: {error}") from error
+    return _checked(found, what)
+
+
+def _name(function: Numbers) -> str:
+    return str(getattr(function, "__name__", repr(function)))
+
+
+def with_numbers(
+    table: pd.DataFrame,
+    runs: Mapping[int, Run],
+    functions: Sequence[Numbers],
+    known: Mapping[int, Mapping[str, Mapping[str, Any]]] | None = None,
+) -> pd.DataFrame:
     """The table with a column for each number; empty for runs without it.
+
+    Args:
+        table: table of a sweep.
+        runs: runs whose folders are kept.
+        functions: functions of a run.
+        known: numbers of the other runs, by index and name of the function.
 
     Raises:
         InputError: a function fails, returns something else than numbers by their names, or the name of a column that
-            the table has already.
+            the table has already; or neither the folder nor these numbers of a run are kept.
     """
-    own: dict[int, dict[str, Any]] = {index: {} for index in runs}
+    import pandas as pd
+
+    done = table["index"][table["status"] == "done"].tolist()
+    own: dict[int, dict[str, Any]] = {index: {} for index in done}
     for function in functions:
-        name = getattr(function, "__name__", repr(function))
-        for index, run in runs.items():
-            try:
-                found = function(run)
-            except Exception as error:  # of the user's function, whatever it is
-                raise InputError(f"numbers: {name} of run {index}: {type(error).__name__}: {error}") from error
-            own[index] |= _checked(found, f"numbers: {name} of run {index}")
+        for index in done:
+            if index in runs:
+                own[index] |= _numbers_of(function, runs[index], index)
+                continue
+            numbers = (known or {}).get(index, {})
+            if _name(function) not in numbers:
+                raise InputError(
+                    f"numbers: {_name(function)} needs the folder of run {index}, which is not kept; allowed: the same "
+                    "functions as when the run was computed, or a sweep in another folder"
+                )
+            own[index] |= numbers[_name(function)]
     columns = list(dict.fromkeys(column for numbers in own.values() for column in numbers))
     if taken := [column for column in columns if column in table.columns]:
         raise InputError(f"numbers: the table has a column {taken[0]} already; allowed: another name")
@@ -113,6 +202,7 @@ def with_numbers(table: pd.DataFrame, runs: Mapping[int, Run], functions: Sequen
 def own_columns(table: pd.DataFrame, runs: Mapping[int, Run]) -> list[str]:
     """Columns of a table that are neither its own nor from the summaries of the runs."""
     from brinell.plot.differences import flat_case  # matplotlib is only for reports
+    from brinell.sweeps.folder import flattened
 
     known = {"index", "status", "reason", "wall_time_s", "folder"}
     for run in runs.values():

@@ -21,8 +21,9 @@ __all__ = ["HARMLESS", "ONE_AT_A_TIME", "Outcome", "Task", "compute", "finished_
 
 HARMLESS = ("grid.extent",)
 """Keys of a case that do not affect the result: they set the initial extent of grids, which grow as needed."""
-ONE_AT_A_TIME = threading.Lock()
-"""Lock by which a process computes one case at a time: a Dask worker may call from several threads."""
+ONE_AT_A_TIME = threading.RLock()
+"""Lock by which a process computes one case at a time: a Dask worker may call from several threads. The same thread may
+take it again."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,10 @@ class Task:
     """Folder of the run."""
     threads: int
     """Number of threads; 0: as the worker decides."""
+    keep: bool = True
+    """Whether the run writes its folder; otherwise it is computed in memory."""
+    numbers: tuple[str | bytes, ...] = ()
+    """Functions of the run that are called while it is in memory, as `numbers.packed` returns them."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,8 @@ class Outcome:
     reason: str = ""
     traceback: str = ""
     summary: dict[str, Any] = field(default_factory=dict)
+    numbers: dict[str, dict[str, Any]] = field(default_factory=dict)
+    """Numbers of a run in memory by the names of the functions that return them."""
 
 
 class _StopRequest(Exception):  # noqa: N818 (no error)
@@ -70,13 +77,16 @@ def compute(task: Task, wants_stop: Callable[[], bool]) -> Outcome:
         try:
             if wants_stop():
                 return stopped(task)
-            summary = finished_summary(task.folder, task.text)
-            if summary is None:
+            if not task.keep:
+                summary, numbers = _run_in_memory(task, wants_stop)
+                return Outcome(task.index, "done", time.perf_counter() - start, summary=summary, numbers=numbers)
+            found = finished_summary(task.folder, task.text)
+            if found is None:
                 _run(task, wants_stop)
-                summary = finished_summary(task.folder, task.text)
-            if summary is None:
+                found = finished_summary(task.folder, task.text)
+            if found is None:
                 raise IoError(f"{task.folder}: the results that were written there cannot be read")
-            return Outcome(task.index, "done", time.perf_counter() - start, summary=summary)
+            return Outcome(task.index, "done", time.perf_counter() - start, summary=found)
         except (KeyboardInterrupt, _StopRequest):
             return stopped(task)
         except Exception as error:
@@ -126,11 +136,31 @@ def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
             raise _StopRequest
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", CaseWarning)  # issued once, before the first run
-        case = Case(task.text, file=Path(task.folder) / "case.toml")
+        warnings.simplefilter("ignore", ResolutionWarning)  # stored in the summary of each run
+        _compute(_case(task), task, on_step, lambda: began)
+
+
+def _run_in_memory(task: Task, wants_stop: Callable[[], bool]) -> tuple[dict[str, Any], dict[str, dict[str, Any]]]:
+    """Summary of the run and numbers of it; nothing else is kept."""
+
+    def on_step(*_: object) -> None:
+        if wants_stop():
+            raise _StopRequest
+
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResolutionWarning)  # stored in the summary of each run
-        _compute(case, task, on_step, lambda: began)
+        run = _case(task).run(in_memory=True, progress=on_step, threads=task.threads or None)
+    if not task.numbers:
+        return dict(run.summary or {}), {}
+    from brinell.sweeps.numbers import numbers_of  # only where they are asked for
+
+    return dict(run.summary or {}), numbers_of(run, task.numbers, task.index)
+
+
+def _case(task: Task) -> Case:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", CaseWarning)  # issued once, before the first run
+        return Case(task.text, file=Path(task.folder) / "case.toml")
 
 
 def _compute(case: Case, task: Task, on_step: Callable[..., None], began: Callable[[], bool]) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pools that compute the runs: processes of this machine, or workers of a Dask cluster.
+"""Pools that compute the runs: what they have in common, and processes of this machine.
 
-Both take a `Task`, return a future of concurrent.futures, and convert a finished future to an `Outcome`.
+A pool takes a portion of tasks, returns a future of concurrent.futures, and converts a finished future to outcomes.
 """
 
 from __future__ import annotations
@@ -13,21 +13,30 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterator
-from concurrent.futures import CancelledError, Future, ProcessPoolExecutor
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
-from brinell.errors import BrinellError, IoError, MissingExtraError
+from brinell.errors import BrinellError
 from brinell.sweeps.point import ONE_AT_A_TIME, Outcome, Task, compute, stopped
 
-__all__ = ["DaskPool", "LocalPool", "Lost", "Pool"]
+__all__ = ["LocalPool", "Lost", "Pool"]
 
 
 class Lost(Exception):  # noqa: N818 (the driver mends it)
-    """The process of a run died; the run may be submitted again."""
+    """The process of a run died; what has no outcome may be submitted again."""
+
+    def __init__(self, outcomes: Sequence[Outcome] = ()):
+        """Of a chunk.
+
+        Args:
+            outcomes: outcomes of its runs that had ended before.
+        """
+        super().__init__()
+        self.outcomes = list(outcomes)
 
 
 class Pool(Protocol):
@@ -40,14 +49,17 @@ class Pool(Protocol):
     def has_room(self) -> bool:
         """Whether another task may be submitted now."""
 
-    def submit(self, task: Task) -> Future[Outcome]:
-        """Starts a task."""
+    def chunks(self, tasks: Sequence[Task]) -> list[list[Task]]:
+        """The tasks in portions that are submitted together."""
 
-    def collect(self, future: Future[Outcome]) -> Outcome:
-        """Outcome of a finished task.
+    def submit(self, chunk: Sequence[Task]) -> Future[list[Outcome]]:
+        """Starts a portion of tasks."""
+
+    def collect(self, future: Future[list[Outcome]]) -> list[Outcome]:
+        """Outcomes of a finished portion.
 
         Raises:
-            Lost: the process of the task died.
+            Lost: the process of a task died.
         """
 
     def losses(self) -> list[str]:
@@ -78,7 +90,7 @@ class LocalPool:
             raise BrinellError("a sweep starts processes that import its script: that must be a file, or a notebook")
         self.threads = threads
         self._listener, self._teller = multiprocessing.Pipe(duplex=False)
-        self._executors: dict[Future[Outcome], ProcessPoolExecutor] = {}
+        self._executors: dict[Future[list[Outcome]], tuple[ProcessPoolExecutor, int]] = {}
         self._idle: list[ProcessPoolExecutor | None] = [None] * (workers - 1)
         self._all: list[ProcessPoolExecutor] = []  # also one that Ctrl-C has taken between idle and busy
         self._losses: list[str] = []
@@ -99,31 +111,38 @@ class LocalPool:
         """Whether a process is idle."""
         return bool(self._idle)
 
-    def submit(self, task: Task) -> Future[Outcome]:
+    def chunks(self, tasks: Sequence[Task]) -> list[list[Task]]:
+        """Each task alone: a message between two processes of a machine costs nothing."""
+        return [[task] for task in tasks]
+
+    def submit(self, chunk: Sequence[Task]) -> Future[list[Outcome]]:
         """Gives the task to an idle process."""
+        (task,) = chunk
         executor = self._idle.pop() or self._executor()
         with _ctrl_c_held():
             future = executor.submit(_compute_here, task)
-            self._executors[future] = executor
+            self._executors[future] = (executor, task.index)
         return future
 
-    def collect(self, future: Future[Outcome]) -> Outcome:
+    def collect(self, future: Future[list[Outcome]]) -> list[Outcome]:
         """Outcome of a finished task; its process becomes idle, or is replaced if it has died.
 
         Raises:
             Lost: the process died.
         """
-        executor = self._executors.pop(future)
+        executor, index = self._executors.pop(future)
         try:
-            outcome = future.result()
+            outcomes = future.result()
         except BrokenProcessPool as error:
             executor.shutdown()
             self._all.remove(executor)
             self._idle.append(None)
-            self._losses.append("a process came to a sudden end; its run is computed again by another one")
+            self._losses.append(
+                f"run {index}: a process came to a sudden end; its run is computed again by another one"
+            )
             raise Lost from error
         self._idle.append(executor)
-        return outcome
+        return outcomes
 
     def losses(self) -> list[str]:
         """Messages about processes that were killed or ran out of memory, since the last call."""
@@ -162,8 +181,13 @@ _STOP = threading.Event()
 """Event that is set in a process of a `LocalPool` to stop it."""
 
 
+_ENDS = (signal.SIGINT, signal.SIGTERM)
+"""Signals that stop a run. A batch system sends them to all processes of a job."""
+
+
 def _begin(teller: Connection) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # outside of a run
+    for number in _ENDS:
+        signal.signal(number, signal.SIG_IGN)  # outside of a run
     threading.Thread(target=_heed, args=(teller,), daemon=True).start()
 
 
@@ -180,101 +204,13 @@ def _heed(teller: Connection) -> None:
             os._exit(1)
 
 
-def _compute_here(task: Task) -> Outcome:
+def _compute_here(task: Task) -> list[Outcome]:
     try:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        return compute(task, _STOP.is_set)
+        for number in _ENDS:
+            signal.signal(number, signal.default_int_handler)
+        return [compute(task, _STOP.is_set)]
     except KeyboardInterrupt:
-        return stopped(task)
+        return [stopped(task)]
     finally:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
-class DaskPool:
-    """Workers of a Dask cluster; the folder of the sweep must have the same path on all of them."""
-
-    def __init__(self, cluster: Any, stop_file: Path, threads: int):
-        """Connects to the cluster.
-
-        Args:
-            cluster: address of a scheduler, path of a scheduler file, or a cluster or client object of Dask.
-            stop_file: file in the sweep's folder; runs stop while it exists.
-            threads: number of threads of each run; 0: as many as its worker has.
-
-        Raises:
-            IoError: the cluster does not answer.
-        """
-        try:
-            from distributed import Client
-        except ModuleNotFoundError as error:
-            raise MissingExtraError("a cluster", "distributed", "sweep") from error
-        self.threads = threads
-        self._stop_file = stop_file
-        stop_file.unlink(missing_ok=True)
-        self._is_mine = not isinstance(cluster, Client)
-        try:
-            if not self._is_mine:
-                self._client = cluster
-            elif isinstance(cluster, str) and Path(cluster).is_file():
-                self._client = Client(scheduler_file=cluster)
-            else:
-                self._client = Client(cluster)
-        except (OSError, TimeoutError, ValueError) as error:
-            raise IoError(f"the Dask cluster {cluster!r} does not answer: {error}") from error
-        self._executor = self._client.get_executor(pure=False)
-        self._tasks: dict[Future[Outcome], Task] = {}
-        self._workers = self._addresses()
-
-    @property
-    def has_room(self) -> bool:
-        """Always true: the scheduler queues tasks, and an adaptive cluster grows with them."""
-        return True
-
-    def submit(self, task: Task) -> Future[Outcome]:
-        """Gives the task to the scheduler, which repeats it on another worker if its own is lost."""
-        future: Future[Outcome] = self._executor.submit(_compute_on_cluster, task, str(self._stop_file))
-        self._tasks[future] = task
-        return future
-
-    def collect(self, future: Future[Outcome]) -> Outcome:
-        """Outcome of a finished task; a task during which several workers died has failed."""
-        from distributed import KilledWorker
-
-        task = self._tasks.pop(future)
-        try:
-            return future.result()
-        except KilledWorker as error:
-            return Outcome(task.index, "failed", reason=f"its worker was lost again and again: {error}")
-        except CancelledError as error:
-            raise IoError("the Dask cluster is lost; the same sweep goes on with what is missing") from error
-        except Exception as error:  # not an error of the run, which would be in its outcome
-            raise BrinellError(f"a worker of the cluster cannot compute; has it the same brinell? {error}") from error
-
-    def losses(self) -> list[str]:
-        """Messages about workers that have left the cluster: killed, out of memory, or retired by the scheduler."""
-        before, self._workers = self._workers, self._addresses()
-        return [f"the worker {one} has left; its run goes to another one" for one in sorted(before - self._workers)]
-
-    def _addresses(self) -> set[str]:
-        return set(self._client.scheduler_info(n_workers=-1)["workers"])
-
-    def stop(self) -> None:
-        """Requests all runs to stop after their current step; runs that have not started return at once."""
-        self._stop_file.touch()
-
-    def close(self) -> None:
-        """Disconnects from the cluster; after an error the remaining runs are stopped."""
-        if self._tasks:
-            self.stop()
-            self._executor.shutdown(wait=False)
-        else:
-            self._stop_file.unlink(missing_ok=True)
-        if self._is_mine:
-            self._client.close()
-
-
-def _compute_on_cluster(task: Task, stop_file: str) -> Outcome:
-    from distributed import get_worker
-
-    threads = task.threads or get_worker().state.nthreads
-    return compute(Task(task.index, task.text, task.folder, threads), Path(stop_file).exists)
+        for number in _ENDS:
+            signal.signal(number, signal.SIG_IGN)
