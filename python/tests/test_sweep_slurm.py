@@ -70,7 +70,12 @@ def begun(output: Path) -> list[int]:
 def test_tables_are_the_same_whichever_way(tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
     over = {"tugging.interference": [0.5, 1, 4, 1.5, 2], "solver.max_evaluations": [60, 60, 1, 60, 60]}
-    options: dict[str, Any] = {"design": "list", "keep": "1,3-4", "numbers": lambda run: {"steps": run.history.steps}}
+    options: dict[str, Any] = {
+        "design": "list",
+        "threads": 1,
+        "keep": "1,3-4",
+        "numbers": lambda run: {"steps": run.history.steps},
+    }
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         on_dask = sweep(tmp_path / "dask", over, cluster=cluster, chunk=2, **options)
     here = sweep(tmp_path / "here", over, workers=1, **options)
@@ -104,8 +109,8 @@ def test_runs_that_kill_their_process_are_named_and_only_they_are_repeated(tmp_p
     assert again.table["wall_time_s"][done.index].tolist() == done.tolist()
 
 
-def long_command(case: Path, output: Path) -> list[str]:
-    over = ["--over", "tugging.interference=1,1.5,2", "--over", "tugging.passes=1,1,60", "--design", "list"]
+def long_command(case: Path, output: Path, passes: int = 60) -> list[str]:
+    over = ["--over", "tugging.interference=1,1.5,2", "--over", f"tugging.passes=1,1,{passes}", "--design", "list"]
     words = [sys.executable, "-m", "brinell", "sweep", str(case), *over, "-o", str(output), "--submit", "slurm"]
     return [*words, "--chunk", "1", "--quiet", *(word for one in LONG for word in ("--set", one))]
 
@@ -160,7 +165,7 @@ def test_a_command_that_is_killed_while_it_waits_is_taken_up(tmp_path: Path) -> 
 def test_ctrl_c_leaves_the_array_in_peace(tmp_path: Path) -> None:
     case, output = tmp_path / "case.toml", tmp_path / "sweep"
     case.write_text(CASE)
-    command = long_command(case, output)
+    command = long_command(case, output, passes=600)
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         wait_for(lambda: 2 in begun(output), "the long run")
         job = arrays_of(output)[0].job

@@ -69,8 +69,8 @@ def _content(sweep: Sweep, folder: Path) -> dict[str, Any]:
         "title": (first.title if first else "") or sweep.path.resolve().name,
         "folder": sweep.path.resolve().name,
         "scenario": first.scenario if first else "no finished run",
-        "findings": _findings(sweep, len(runs)),
-        "count": len(runs),
+        "findings": _findings(sweep, sweep.done),
+        "count": sweep.done,
         "figures": _figures(runs),
         "columns": ["run", *(_heading(key, first) for key in numbers.varied), *numbers.numbers, *own],
         "rows": [_row(sweep, folder, numbers, i, own) for i in range(len(runs))],
@@ -89,7 +89,14 @@ def _findings(sweep: Sweep, done: int) -> list[str]:
             else f"{'run' if len(indices) == 1 else 'runs'} " + ", ".join(map(str, indices))
         )
         text = next(
-            (one.text for index in indices for one in sweep.runs[index].warnings if one.key == key), "see table.csv"
+            (
+                one.text
+                for index in indices
+                if index in sweep.runs
+                for one in sweep.runs[index].warnings
+                if one.key == key
+            ),
+            "see table.csv",
         )
         found.append(f"{key} ({which}): {text}")
     return found

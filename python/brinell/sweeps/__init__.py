@@ -5,10 +5,11 @@
     result.table.plot("tugging.interference", "energy.net_J")
 
 Modules, from the bottom up: `axes` (varied keys), `designs` (points), `lists` (axes over entries of lists), `point`
-(one run in a worker), `pools` (processes), `loop` (keeps a pool busy), `journal` (what became of each run, line by line),
-`clusters` (workers of Dask), `slurm`, `arrays`, `task`, `submission` (job arrays: Slurm's commands, their folders, a
-task on a node, the process that waits), `kept` (folders that are asked for), `folder`, `ledger` (files and table of a
-sweep), `numbers` (further columns), `result` (a finished sweep), `driver` (the function `sweep`), `cli` (the command).
+(one run in a worker), `pools` (processes), `loop` (keeps a pool busy), `journal` (what became of each run, line by
+line), `clusters` (workers of Dask), `slurm`, `arrays`, `task`, `submission` (job arrays: Slurm's commands, their
+folders, a task on a node, the process that waits), `kept` (folders that are asked for), `folder`, `ledger` (files and
+table of a sweep), `numbers` (further columns), `result` (a finished sweep), `driver` (the function `sweep`), `cli`
+(the command).
 """
 
 from importlib import import_module

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import json
 import re
 import secrets
@@ -51,6 +52,8 @@ class Array:
         """Ends the bookkeeping: no task of the array computes any more. Logs of an incomplete one are kept."""
         if is_complete:
             shutil.rmtree(self.folder, ignore_errors=True)
+            with contextlib.suppress(OSError):  # others are there
+                self.folder.parent.rmdir()
         else:
             (self.folder / _RECORD).unlink(missing_ok=True)
 

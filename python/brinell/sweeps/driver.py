@@ -143,6 +143,7 @@ def sweep(
                     refuse_running(path)
                     if missing := ledger.missing(retry_failed=retry_failed):
                         ledger.tidy_journals()
+                        bar.n = len(ledger)
                         pool = _pool(cluster, path, workers, threads, len(missing), chunk)
                         if isinstance(pool, LocalPool):
                             ledger.journal = Journal(journal_folder(path) / "runs.jsonl")
@@ -262,6 +263,7 @@ def _submit(
     if retry_failed and arrays.arrays:
         raise IoError(f"{path}: job {arrays.arrays[0].job} still computes; failed runs are retried when it has ended")
     missing = ledger.missing(retry_failed=retry_failed)
+    bar.n = len(ledger)
     if not arrays.arrays:
         ledger.tidy_journals()
     try:
