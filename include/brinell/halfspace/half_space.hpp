@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "brinell/green/elastic.hpp"
+#include "brinell/green/stack.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
 #include <functional>
@@ -28,6 +29,9 @@ public:
   /// Operators on some columns of a longer grid `whole` with the same rows: as close to the operators on the whole grid as the
   /// shorter transforms allow (docs/theory/elastoplastic.md, windows).
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole);
+  /// A layered body, for loads on its surface. The stress in cells that an interface cuts is the mean of both layers. Strain in
+  /// layered bodies is not supported: `load` throws InternalError unless the strain is zero.
+  HalfSpace(const VolumeGrid& grid, const ElasticStack& stack);
   ~HalfSpace();
   HalfSpace(HalfSpace&&) noexcept;
   HalfSpace& operator=(HalfSpace&&) noexcept;
@@ -43,6 +47,7 @@ public:
   static void exchange_buffers(Work& guest, Work& host);
 
   [[nodiscard]] const VolumeGrid& grid() const;
+  /// Constants of the substrate.
   [[nodiscard]] const Elastic& elastic() const;
 
   /// Transformed plastic strain, ready to be combined with a load on the surface.

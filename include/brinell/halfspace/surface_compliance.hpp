@@ -4,6 +4,7 @@
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/hidden.hpp"
 #include "brinell/green/elastic.hpp"
+#include "brinell/green/stack.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
 #include <array>
@@ -38,6 +39,9 @@ public:
   SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference = 0.0);
   /// @param body2  rigid for the displacement of body 1 alone.
   SurfaceCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2, double reference = 0.0);
+  /// For pressures and displacements along z of layered bodies (docs/theory/stacks.md).
+  SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack& body1, const ElasticStack& body2,
+                    double reference = 0.0);
 
   /// Buffers of one application; make one per concurrent caller, once.
   struct Buffers;

@@ -15,7 +15,12 @@ namespace brinell::halfspace
 {
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
-    : operators_(std::make_unique<Operators>(grid, elastic, 0.0))
+    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, 0.0))
+{
+}
+
+HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack)
+    : operators_(std::make_unique<Operators>(grid, stack, 0.0))
 {
 }
 
@@ -34,7 +39,7 @@ double shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
 } // namespace
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole)
-    : operators_(std::make_unique<Operators>(grid, elastic, shortest_of_part(grid.surface, whole)))
+    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, shortest_of_part(grid.surface, whole)))
 {
 }
 
@@ -49,7 +54,7 @@ const VolumeGrid& HalfSpace::grid() const
 
 const Elastic& HalfSpace::elastic() const
 {
-  return operators_->elastic;
+  return operators_->stack.substrate;
 }
 
 HalfSpace::Work::Work() = default;

@@ -28,13 +28,14 @@ int parts_for(int layers)
 
 } // namespace
 
-HalfSpace::Operators::Operators(const VolumeGrid& volume, const Elastic& constants, double shortest)
-    : grid(volume), elastic(constants),
+HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest)
+    : grid(volume), stack(constants),
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
-      eigenstrain_stress(volume, constants, surface_fft, shortest), image_correction(volume, constants, surface_fft)
+      eigenstrain_stress(volume, constants.substrate, surface_fft, shortest),
+      image_correction(volume, constants.substrate, surface_fft)
 {
 }
 
@@ -43,8 +44,8 @@ OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTract
   OfTraction<const TractionStress*> result{};
   for (const Traction traction : tractions)
     if (wanted[index(traction)])
-      result[index(traction)] = &kernels_[index(traction)].get(
-          [&] { return TractionStress(grid, elastic.poisson_ratio, surface_fft, traction); });
+      result[index(traction)] =
+          &kernels_[index(traction)].get([&] { return TractionStress(grid, stack, surface_fft, traction); });
   return result;
 }
 
@@ -95,6 +96,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     throw InternalError(
         "HalfSpace::load: the buffers of the strain are too small; were they lent to another half space?");
   const int strained = strained_layers(plastic_strain);
+  if (strained > 0 && !stack.is_homogeneous())
+    throw InternalError("HalfSpace::load: strain in layered bodies is not supported");
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.has_trace = false;

@@ -72,7 +72,7 @@ struct HalfSpace::Work::Buffers
 struct HalfSpace::Operators
 {
   VolumeGrid grid;
-  Elastic elastic;
+  ElasticStack stack;
   BlockedFft surface_fft; ///< of one plane
   BlockedFft volume_fft;  ///< of a deviator field; on a mirrored grid `mirrored_fft` takes its place
   BlockedFft trace_fft;   ///< of a scalar field
@@ -81,7 +81,7 @@ struct HalfSpace::Operators
   ImageCorrection image_correction;
 
   /// @param shortest  see EigenstrainStress
-  Operators(const VolumeGrid& volume, const Elastic& constants, double shortest);
+  Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest);
 
   /// @param of_guest  leave out the buffers that a guest borrows
   [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers(bool of_guest) const;

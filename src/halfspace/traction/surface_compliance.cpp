@@ -9,6 +9,7 @@
 #include "halfspace/transform/require_surface.hpp"
 #include "halfspace/transform/wave_product.hpp"
 #include "shear_stiffness.hpp"
+#include "stack_cells.hpp"
 #include "tractions.hpp"
 
 #include <algorithm>
@@ -50,6 +51,31 @@ std::vector<double> inverse(std::vector<double> spectrum)
   return spectrum;
 }
 
+/// The layered ones of two bodies.
+using Stacks = std::vector<ElasticStack>;
+
+Stacks layered(const ElasticStack& body1, const ElasticStack& body2)
+{
+  Stacks stacks;
+  for (const ElasticStack& body : {body1, body2})
+    if (!body.is_homogeneous())
+      stacks.push_back(body);
+  return stacks;
+}
+
+/// Adds what a wave of unit pressure displaces a layered body more than a body of its top material.
+void add_excess(const SurfaceGrid& grid, const ElasticStack& stack, std::vector<double>& spectrum)
+{
+  auto value = spectrum.begin();
+  for (int row = 0; row <= grid.ny / 2; ++row)
+    for (int i = 0; i <= grid.nx / 2; ++i, ++value)
+    {
+      const double k = 2.0 * std::numbers::pi * std::hypot(i / (grid.nx * grid.dx), row / (grid.ny * grid.dy));
+      if (k > 0.0)
+        *value += green::StackWave(stack, k).compliance().normal - 2.0 * stack.top().contact_compliance() / k;
+    }
+}
+
 /// Spectra of the operator and of its approximate inverse, row by row.
 struct Spectra
 {
@@ -57,14 +83,23 @@ struct Spectra
   std::vector<double> stiffness;  ///< [Pa/m]
 };
 
-Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modulus, double reference)
+Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modulus, const Stacks& stacks,
+                double reference)
 {
   if (grid.is_periodic())
   {
     std::vector<double> waves = wave_spectrum(grid, modulus);
+    for (const ElasticStack& stack : stacks)
+      add_excess(grid, stack, waves);
     return {waves, inverse(waves)};
   }
-  const Quadrant<double> response = cell_displacement(larger, reference);
+  Quadrant<double> response = cell_displacement(larger, reference);
+  for (const ElasticStack& stack : stacks)
+  {
+    const Quadrant<double> excess = excess_displacement(larger, stack, reference);
+    for (std::size_t n = 0; n < response.values.size(); ++n)
+      response.values[n] += std::numbers::pi * modulus * excess.values[n];
+  }
   const auto displacement = [&](int i, int j) { return response.at(i, j) / (std::numbers::pi * modulus); };
   return {spectrum_of(grid, KernelPlaces::padded(grid), displacement),
           inverse(spectrum_of(larger, KernelPlaces::periodic(larger), displacement))};
@@ -108,8 +143,8 @@ struct Normal
   EvenProduct compliance, stiffness;
   double largest; ///< [m/Pa]
 
-  Normal(const SurfaceGrid& grid, double modulus, double reference)
-      : Normal(grid, with_fast_lengths(grid), spectra(grid, with_fast_lengths(grid), modulus, reference))
+  Normal(const SurfaceGrid& grid, double modulus, const Stacks& stacks, double reference)
+      : Normal(grid, with_fast_lengths(grid), spectra(grid, with_fast_lengths(grid), modulus, stacks, reference))
   {
   }
 
@@ -135,22 +170,24 @@ struct SurfaceCompliance::Buffers
 struct SurfaceCompliance::Operator
 {
   SurfaceGrid grid;
-  double modulus; ///< E' [Pa]
+  double modulus; ///< E' at the surfaces [Pa]
   std::optional<green::PairConstants> pair;
   double reference; ///< [m]
+  Stacks stacks{};
   Lazy<Normal> normal_part{};
   Lazy<Tractions> traction_part{};
   Lazy<ShearStiffness> shear_part{};
 
   [[nodiscard]] const Normal& normal() const
   {
-    return normal_part.get([this] { return Normal(grid, modulus, reference); });
+    return normal_part.get([this] { return Normal(grid, modulus, stacks, reference); });
   }
   [[nodiscard]] const green::PairConstants& constants() const
   {
     if (!pair)
-      throw InternalError("SurfaceCompliance: shears and displacements along the surface need the constants of both "
-                          "bodies, not only their contact modulus");
+      throw InternalError(stacks.empty() ? "SurfaceCompliance: shears and displacements along the surface need the "
+                                           "constants of both bodies, not only their contact modulus"
+                                         : "SurfaceCompliance: shears on layered bodies are not supported");
     return *pair;
   }
   [[nodiscard]] const Tractions& tractions() const
@@ -185,6 +222,13 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const Elastic& bod
 {
 }
 
+SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack& body1, const ElasticStack& body2,
+                                     double reference)
+    : SurfaceCompliance(make_hidden<Operator>(grid, contact_modulus(body1.top(), body2.top()), std::nullopt, reference,
+                                              layered(body1, body2)))
+{
+}
+
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
   return operator_->grid;
@@ -192,7 +236,8 @@ const SurfaceGrid& SurfaceCompliance::grid() const
 
 SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
 {
-  return SurfaceCompliance(make_hidden<Operator>(grid, operator_->modulus, operator_->pair, operator_->reference));
+  return SurfaceCompliance(
+      make_hidden<Operator>(grid, operator_->modulus, operator_->pair, operator_->reference, operator_->stacks));
 }
 
 bool SurfaceCompliance::couples() const

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -21,18 +22,22 @@ constexpr std::array<double, 3> weight_of_layer{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18
 
 } // namespace
 
-TractionStress::TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction)
+TractionStress::TractionStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft,
+                               Traction traction)
     : grid_(grid), fft_(fft), traction_(traction), rows_(fft.py() / 2 + 1),
       kernels_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(grid.nz) * kernel_count *
                static_cast<std::size_t>(rows_))
 {
   const PaddedFft padded(grid.surface, fft.px(), fft.py());
+  std::optional<ExcessStress> excess;
+  if (!stack.is_homogeneous() && !grid.surface.is_periodic())
+    excess.emplace(grid, stack, traction);
 #pragma omp parallel for schedule(dynamic)
   for (int layer = 0; layer < grid_.nz; ++layer)
     if (grid.surface.is_periodic())
-      tabulate_waves(layer, poisson_ratio, padded);
+      tabulate_waves(layer, stack, padded);
     else
-      tabulate_cells(layer, poisson_ratio, padded);
+      tabulate_cells(layer, stack, excess ? &*excess : nullptr, padded);
 }
 
 const Lanes* TractionStress::kernel(int block, int layer, int which) const
@@ -63,6 +68,18 @@ std::array<double, 6> kernel_values(const SymTensor& t)
   return {t[0] - mean, t[1] - mean, t[3], t[4], t[5], trace(t)};
 }
 
+double poisson_ratio_of(const ElasticStack& stack, const VolumeGrid& grid, int layer)
+{
+  return stack.at((layer + 0.5) * grid.dz).poisson_ratio;
+}
+
+void add_to(const Quadrant<SymTensor>& more, Quadrant<SymTensor>& sum)
+{
+  for (std::size_t n = 0; n < sum.values.size(); ++n)
+    for (std::size_t c = 0; c < 6; ++c)
+      sum.values[n][c] += more.values[n][c];
+}
+
 /// Mean over a layer of the stress of a unit traction on one cell.
 Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double poisson_ratio, Traction traction)
 {
@@ -80,9 +97,12 @@ Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double po
 
 } // namespace
 
-void TractionStress::tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft)
+void TractionStress::tabulate_cells(int layer, const ElasticStack& stack, const ExcessStress* excess,
+                                    const PaddedFft& fft)
 {
-  const Quadrant<SymTensor> response = mean_over_layer(grid_, layer, poisson_ratio, traction_);
+  Quadrant<SymTensor> response = mean_over_layer(grid_, layer, poisson_ratio_of(stack, grid_, layer), traction_);
+  if (excess != nullptr)
+    add_to(excess->of_layer(layer), response);
   for (int which = 0; which < kernel_count; ++which)
     parity_spectrum(
         fft, parity(which),
@@ -157,17 +177,24 @@ SymTensor uniform_stress(Traction traction, double nu)
 
 } // namespace
 
-void TractionStress::tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft)
+void TractionStress::tabulate_waves(int layer, const ElasticStack& stack, const PaddedFft& fft)
 {
+  const double poisson_ratio = poisson_ratio_of(stack, grid_, layer);
+  const auto wave_of = [&](double k, double m, double n)
+  {
+    if (k == 0.0)
+      return uniform_stress(traction_, poisson_ratio);
+    if (stack.is_homogeneous())
+      return wave_stress(traction_, m / k, n / k, mean_decay(k * grid_.dz, layer), poisson_ratio);
+    return stack_wave_stress(stack, traction_, k, m / k, n / k, layer * grid_.dz, (layer + 1) * grid_.dz);
+  };
   for (int row = 0; row < rows_; ++row)
     for (int i = 0; i < fft.kx(); ++i)
     {
       const double m = fft.wavenumber_x(i);
       const double n = fft.wavenumber_y(row);
       const double k = std::hypot(m, n);
-      const std::array<double, kernel_count> value = kernel_values(
-          k == 0.0 ? uniform_stress(traction_, poisson_ratio)
-                   : wave_stress(traction_, m / k, n / k, mean_decay(k * grid_.dz, layer), poisson_ratio));
+      const std::array<double, kernel_count> value = kernel_values(wave_of(k, m, n));
       // At the Nyquist wave an odd function cannot be represented on the grid.
       const bool shortest_x = 2 * i == fft.px(), shortest_y = 2 * row == fft.py();
       for (int which = 0; which < kernel_count; ++which)

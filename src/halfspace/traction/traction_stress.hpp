@@ -2,10 +2,12 @@
 #pragma once
 
 #include "brinell/foundation/deviator.hpp"
+#include "brinell/green/stack.hpp"
 #include "brinell/green/traction.hpp"
 #include "foundation/blocked_fft.hpp"
 #include "foundation/fft.hpp"
 #include "halfspace/transform/parity_spectrum.hpp"
+#include "stack_cells.hpp"
 
 #include <array>
 
@@ -30,7 +32,7 @@ class TractionStress
 {
 public:
   /// @param fft  transform of single planes on the surface of `grid`; must outlive this object.
-  TractionStress(const VolumeGrid& grid, double poisson_ratio, const BlockedFft& fft, Traction traction);
+  TractionStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, Traction traction);
 
   static constexpr int trace = Deviator::size; ///< component index of the trace, after those of the deviator
   /// Adds one component of the stress in one layer by all components of the traction that are not zero, in one pass.
@@ -62,8 +64,8 @@ private:
   [[nodiscard]] Parity parity(int which) const;
   [[nodiscard]] const Lanes* kernel(int block, int layer, int which) const;
   [[nodiscard]] double& number(int row, int column, int layer, int which);
-  void tabulate_cells(int layer, double poisson_ratio, const PaddedFft& fft);
-  void tabulate_waves(int layer, double poisson_ratio, const PaddedFft& fft);
+  void tabulate_cells(int layer, const ElasticStack& stack, const ExcessStress* excess, const PaddedFft& fft);
+  void tabulate_waves(int layer, const ElasticStack& stack, const PaddedFft& fft);
 
   VolumeGrid grid_;
   const BlockedFft& fft_;

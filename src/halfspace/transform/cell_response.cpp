@@ -5,6 +5,8 @@
 #include "brinell/green/rectangle.hpp"
 #include "brinell/green/strip.hpp"
 
+#include <cmath>
+
 namespace brinell::halfspace
 {
 
@@ -144,6 +146,11 @@ SurfaceGrid swapped(const SurfaceGrid& g)
 using brinell::xy_exchanged;
 using green::xy_exchanged;
 
+std::array<double, 2> xy_exchanged(const std::array<double, 2>& value)
+{
+  return value;
+}
+
 double xy_exchanged(double value)
 {
   return value;
@@ -179,6 +186,23 @@ struct DisplacementKernel
   [[nodiscard]] DisplacementKernel xy_exchanged() const { return *this; }
 };
 
+/// Antiderivatives of 1/R and depth/R^3 (Love 1929), R^2 = X^2 + Y^2 + depth^2.
+struct BuriedKernel
+{
+  double depth, reference;
+  [[nodiscard]] std::array<double, 2> corner(double X, double Y) const
+  {
+    const double angle = std::atan(X * Y / (depth * std::hypot(X, Y, depth)));
+    return {X * std::asinh(Y / std::hypot(X, depth)) + Y * std::asinh(X / std::hypot(Y, depth)) - depth * angle, angle};
+  }
+  [[nodiscard]] std::array<double, 2> edge(double X) const
+  {
+    const double angle = std::atan(X / depth);
+    return {2.0 * (X - X * std::log(std::hypot(X, depth) / reference) - depth * angle), 2.0 * angle};
+  }
+  [[nodiscard]] BuriedKernel xy_exchanged() const { return *this; }
+};
+
 struct SurfaceTermsKernel
 {
   double reference;
@@ -204,6 +228,11 @@ struct StressKernel
 Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference)
 {
   return response<double>(grid, DisplacementKernel{reference});
+}
+
+Quadrant<std::array<double, 2>> buried_cell(const SurfaceGrid& grid, double depth, double reference)
+{
+  return response<std::array<double, 2>>(grid, BuriedKernel{depth, reference});
 }
 
 Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference)

@@ -57,6 +57,11 @@ struct Quadrant
 /// @param reference  with one periodic axis, the distance from a line load at which its displacement is taken as zero [m].
 [[nodiscard]] Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference);
 
+/// Integral over the cell of 1/R, and of depth/R^3, for points at a distance `depth` > 0 below the plane of the cell: the fields
+/// of waves e^{-k depth} 2 pi / k and 2 pi e^{-k depth} [m, 1]. As smooth as the distance is large.
+/// @param reference  as for `cell_displacement`
+[[nodiscard]] Quadrant<std::array<double, 2>> buried_cell(const SurfaceGrid& grid, double depth, double reference);
+
 /// Surface displacement by a unit traction on the cell, as `green::SurfaceTerms`.
 /// @param reference  as for `cell_displacement`, for the displacements in all directions
 [[nodiscard]] Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference);
