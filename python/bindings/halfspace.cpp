@@ -9,7 +9,11 @@
 
 #include <cmath>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 using namespace nanobind::literals;
 
@@ -22,6 +26,17 @@ namespace
 using halfspace::HalfSpace;
 using halfspace::SurfaceCompliance;
 using halfspace::SurfaceLoad;
+
+/// Thickness, Young's modulus and Poisson's ratio of layers, from the surface down.
+using Layers = std::vector<std::tuple<double, double, double>>;
+
+ElasticStack stack_of(const Layers& layers, const constitutive::Material& substrate)
+{
+  ElasticStack stack{{}, substrate.elastic};
+  for (const auto& [thickness, young_modulus, poisson_ratio] : layers)
+    stack.layers.push_back({thickness, {young_modulus, poisson_ratio}});
+  return stack;
+}
 
 Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
 {
@@ -149,18 +164,27 @@ void bind_halfspace(nb::module_& m)
       .def(
           "__init__",
           [](SurfaceCompliance* self, const SurfaceGrid& grid, const constitutive::Material& lower,
-             const constitutive::Material& upper, double reference) {
-            without_lock([&] { return new (self) SurfaceCompliance(grid, lower.elastic, upper.elastic, reference); });
+             const constitutive::Material& upper, double reference, const Layers& lower_layers,
+             const Layers& upper_layers)
+          {
+            without_lock(
+                [&]
+                {
+                  return lower_layers.empty() && upper_layers.empty()
+                             ? new (self) SurfaceCompliance(grid, lower.elastic, upper.elastic, reference)
+                             : new (self) SurfaceCompliance(grid, stack_of(lower_layers, lower),
+                                                            stack_of(upper_layers, upper), reference);
+                });
           },
-          "grid"_a, "lower"_a, "upper"_a, "reference"_a = 0.0)
+          "grid"_a, "lower"_a, "upper"_a, "reference"_a = 0.0, "lower_layers"_a = Layers(), "upper_layers"_a = Layers())
       .def("displacement", &displacement, "pressure"_a)
       .def("displacements", &displacements, "pressure"_a.none(), "shear_x"_a.none(), "shear_y"_a.none());
   nb::class_<HalfSpace>(m, "HalfSpace")
       .def(
           "__init__",
-          [](HalfSpace* self, const VolumeGrid& grid, const constitutive::Material& material)
-          { without_lock([&] { return new (self) HalfSpace(grid, material.elastic); }); },
-          "grid"_a, "material"_a)
+          [](HalfSpace* self, const VolumeGrid& grid, const constitutive::Material& material, const Layers& layers)
+          { without_lock([&] { return new (self) HalfSpace(grid, stack_of(layers, material)); }); },
+          "grid"_a, "material"_a, "layers"_a = Layers())
       .def("stress", &stress, "pressure"_a.none(), "eigenstrain"_a.none(), "shear_x"_a.none(), "shear_y"_a.none())
       .def("residual_displacement", &residual_displacement, "eigenstrain"_a, "axis"_a);
 }

@@ -16,7 +16,9 @@ from __future__ import annotations
 
 import operator
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,7 +30,7 @@ from brinell._reprs import cells
 from brinell.errors import InputError
 from brinell.materials import RIGID, Material
 
-__all__ = ["HalfSpace", "SurfaceCompliance", "SurfaceGrid", "VolumeGrid"]
+__all__ = ["HalfSpace", "Layer", "SurfaceCompliance", "SurfaceGrid", "VolumeGrid"]
 
 
 _SMALLEST, _LARGEST = 1e-30, 1e30
@@ -154,6 +156,35 @@ class VolumeGrid:
         return _core.VolumeGrid(self.surface._engine, self.nz, self.dz)
 
 
+@dataclass(frozen=True)
+class Layer:
+    """A layer of a coated body, bonded to the layers beside it or to the body beneath.
+
+    Attributes:
+        thickness: thickness of the layer [m].
+        material: its material; only the elastic constants are used.
+
+    Raises:
+        InputError: the thickness is not above 0, or the material is rigid.
+    """
+
+    thickness: float
+    material: Material
+
+    def __post_init__(self) -> None:
+        if not 0.0 < number(self.thickness, "thickness") < float("inf"):
+            raise InputError(f"thickness = {self.thickness} of a layer; allowed: a length above 0")
+        if self.material.is_rigid:
+            raise InputError("material of a layer is rigid; allowed: an elastic material, on a rigid body if need be")
+
+
+def _constants(layers: Sequence[Layer]) -> list[tuple[float, float, float]]:
+    return [
+        (number(layer.thickness, "thickness"), layer.material._engine.young_modulus, layer.material.poisson_ratio)
+        for layer in layers
+    ]
+
+
 class SurfaceCompliance:
     """Elastic displacement of the surfaces of two bodies under pressure (Love 1929) and shear traction (Cerruti).
 
@@ -161,7 +192,16 @@ class SurfaceCompliance:
     no displacement: displacements are measured from the mean plane.
     """
 
-    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
+    def __init__(
+        self,
+        grid: SurfaceGrid,
+        lower: Material,
+        upper: Material = RIGID,
+        *,
+        reference: float | None = None,
+        lower_layers: Sequence[Layer] = (),
+        upper_layers: Sequence[Layer] = (),
+    ):
         """Sets up the operator.
 
         Args:
@@ -171,6 +211,9 @@ class SurfaceCompliance:
             reference: only on a grid that is periodic along exactly one axis: distance from a line load at which its
                 displacement in any direction is set to zero [m]. It must exceed the size of the surface. It is needed
                 because the displacement of a line load grows with the logarithm of the distance without bound.
+            lower_layers: layers on the lower body, from the surface down (docs/theory/stacks.md); `lower` is the body
+                beneath them and may then be rigid. Layered bodies have no displacement by or along shear yet.
+            upper_layers: layers on the upper body, from its surface.
 
         Raises:
             InputError: both bodies are rigid, a material is invalid, `reference` is missing or not applicable, or the
@@ -185,9 +228,20 @@ class SurfaceCompliance:
         if reference is not None and not number(reference, "reference") > 0.0:
             raise InputError(f"reference = {reference}; allowed: a length above 0")
         self.grid = grid
-        self.contact_modulus = _core.contact_modulus(lower._engine, upper._engine)
-        """Contact modulus E' of the pair [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
-        self._engine = _core.SurfaceCompliance(grid._engine, lower._engine, upper._engine, reference or 0.0)
+        at_lower = lower_layers[0].material if lower_layers else lower
+        at_upper = upper_layers[0].material if upper_layers else upper
+        self.contact_modulus = _core.contact_modulus(at_lower._engine, at_upper._engine)
+        """Contact modulus E' of the materials at the surfaces [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
+        self.is_layered = bool(lower_layers or upper_layers)
+        """Whether a body has layers."""
+        self._engine = _core.SurfaceCompliance(
+            grid._engine,
+            lower._engine,
+            upper._engine,
+            reference or 0.0,
+            _constants(lower_layers),
+            _constants(upper_layers),
+        )
 
     def __repr__(self) -> str:
         return f"<SurfaceCompliance {cells(self.grid.shape)}>"
@@ -223,7 +277,15 @@ class SurfaceCompliance:
 
         Returns:
             (3, ny, nx) displacement along x, y and z [m].
+
+        Raises:
+            InputError: a body has layers.
         """
+        if self.is_layered:
+            raise InputError(
+                "displacements along the surface and by shear are not computed for bodies with layers; allowed: "
+                "pressure_to_displacement"
+            )
         return self._engine.displacements(
             _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
         )
@@ -239,22 +301,25 @@ class HalfSpace:
     y; the operators of the shear are set up on first use.
     """
 
-    def __init__(self, grid: VolumeGrid, material: Material):
+    def __init__(self, grid: VolumeGrid, material: Material, *, layers: Sequence[Layer] = ()):
         """Sets up the operators.
 
         Args:
             grid: grid of stress and strain; the pressure is on its surface grid.
             material: material of the body; only its elastic constants are used.
+            layers: layers on the body, from the surface down (docs/theory/stacks.md). The stress in a cell that an
+                interface cuts is the mean over both layers. Layered bodies have no plastic strain yet.
 
         Raises:
             InputError: the material is rigid or invalid, or the grid needs more memory than the machine has.
         """
-        if material.is_rigid:
+        if material.is_rigid and not layers:
             raise InputError("a rigid body has no stress; allowed: an elastic material")
         require_memory(grid.nz * grid.surface.nx * grid.surface.ny, _BYTES_OF_VOLUME, "a half space")
         self.grid = grid
         self.material = material
-        self._engine = _core.HalfSpace(grid._engine, material._engine)
+        self.layers = tuple(layers)
+        self._engine = _core.HalfSpace(grid._engine, material._engine, _constants(layers))
 
     def __repr__(self) -> str:
         return f"<HalfSpace {cells(self.grid.shape)}>"
@@ -278,11 +343,18 @@ class HalfSpace:
         Returns:
             (6, nz, ny, nx) stress, averaged over the thickness of a layer, at the middle of a cell in x and y [Pa].
         """
+        if self.layers and eigenstrain is not None:
+            self._refuse_strain()
         return self._engine.stress(
             _optional(pressure, "pressure"),
             _optional(eigenstrain, "eigenstrain"),
             _optional(shear_x, "shear_x"),
             _optional(shear_y, "shear_y"),
+        )
+
+    def _refuse_strain(self) -> NoReturn:
+        raise InputError(
+            "eigenstrain in a body with layers is not supported; allowed: pressure and shear on its surface"
         )
 
     def pressure_to_stress(self, pressure: ArrayLike) -> Array:
@@ -318,8 +390,10 @@ class HalfSpace:
             (ny, nx) displacement [m]; along z positive into the body.
 
         Raises:
-            InputError: a wrong shape, or an unknown axis.
+            InputError: a wrong shape, an unknown axis, or a body with layers.
         """
+        if self.layers:
+            self._refuse_strain()
         if axis not in ("x", "y", "z"):
             raise InputError(f"axis = {axis!r} of a displacement; allowed: 'x', 'y', 'z'")
         return self._engine.residual_displacement(contiguous(eigenstrain, "eigenstrain"), axis)

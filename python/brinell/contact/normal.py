@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
@@ -15,7 +16,7 @@ from brinell._names import level_of_caller
 from brinell._reprs import cells
 from brinell.contact.areas import contact_area
 from brinell.errors import ConvergenceError, InputError
-from brinell.halfspace import SurfaceCompliance, SurfaceGrid
+from brinell.halfspace import Layer, SurfaceCompliance, SurfaceGrid
 from brinell.materials import RIGID, Material
 
 __all__ = ["ContactResult", "ElasticContact"]
@@ -59,7 +60,16 @@ class ElasticContact:
     and p gap = 0, where A is the surface compliance.
     """
 
-    def __init__(self, grid: SurfaceGrid, lower: Material, upper: Material = RIGID, *, reference: float | None = None):
+    def __init__(
+        self,
+        grid: SurfaceGrid,
+        lower: Material,
+        upper: Material = RIGID,
+        *,
+        reference: float | None = None,
+        lower_layers: Sequence[Layer] = (),
+        upper_layers: Sequence[Layer] = (),
+    ):
         """Sets up the problem and its operators.
 
         Args:
@@ -67,12 +77,16 @@ class ElasticContact:
             lower: material of the lower body; only its elastic constants are used.
             upper: material of the upper body; only its elastic constants are used.
             reference: reference distance as in `SurfaceCompliance`, from which the approach is measured [m].
+            lower_layers: layers on the lower body, from the surface down, as in `SurfaceCompliance`.
+            upper_layers: layers on the upper body, from its surface.
 
         Raises:
             InputError: both bodies are rigid, a material is invalid, or `reference` is missing or not applicable.
         """
         self.grid = grid
-        self.compliance = SurfaceCompliance(grid, lower, upper, reference=reference)
+        self.compliance = SurfaceCompliance(
+            grid, lower, upper, reference=reference, lower_layers=lower_layers, upper_layers=upper_layers
+        )
         """The `SurfaceCompliance` of the pair."""
 
     def __repr__(self) -> str:

@@ -34,8 +34,8 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
-      eigenstrain_stress(volume, constants.substrate, surface_fft, shortest),
-      image_correction(volume, constants.substrate, surface_fft)
+      eigenstrain_stress(volume, constants.top(), surface_fft, shortest),
+      image_correction(volume, constants.top(), surface_fft)
 {
 }
 

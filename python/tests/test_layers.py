@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bodies with layers: contact and stress under pressure, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+
+from brinell.contact import ElasticContact
+from brinell.errors import InputError
+from brinell.halfspace import HalfSpace, Layer, SurfaceCompliance, SurfaceGrid, VolumeGrid
+from brinell.materials import RIGID, Material
+
+BASE, COAT = Material(1.0e9, 0.3), Material("3 GPa", 0.25)
+GRID = SurfaceGrid(33, 33, 1e-6, 1e-6)
+DISTANCE = (GRID.x**2 + GRID.y**2) / 2e-4  # of a sphere of 0.1 mm
+
+
+def peak(load=1e-4, **layers):
+    """Largest pressure under a rigid sphere."""
+    return ElasticContact(GRID, BASE, RIGID, **layers).solve(DISTANCE, load=load).pressure.max()
+
+
+def test_a_stiffer_coating_raises_the_pressure_from_one_half_space_to_the_other():
+    plain = peak()
+    coated = [peak(lower_layers=[Layer(h, COAT)]) for h in (1e-6, 1e-5, 2e-3)]
+    assert plain < coated[0] < coated[1] < coated[2]
+    thick = ElasticContact(GRID, COAT, RIGID).solve(DISTANCE, load=1e-4).pressure.max()
+    assert coated[2] == pytest.approx(thick, rel=0.02)  # radius over thickness is 0.003
+
+
+def test_a_layer_of_the_same_material_changes_nothing():
+    assert peak(lower_layers=[Layer(5e-6, BASE)]) == pytest.approx(peak(), rel=1e-6)
+
+
+def test_both_bodies_may_have_layers_and_may_be_exchanged():
+    layers = [Layer(2e-6, COAT)]
+    one = SurfaceCompliance(GRID, BASE, RIGID, lower_layers=layers)
+    other = SurfaceCompliance(GRID, RIGID, BASE, upper_layers=layers)
+    both = SurfaceCompliance(GRID, BASE, BASE, lower_layers=layers, upper_layers=layers)
+    pressure = np.exp(-DISTANCE / 1e-7)
+    u = one.pressure_to_displacement(pressure)
+    assert other.pressure_to_displacement(pressure) == pytest.approx(u, rel=1e-12)
+    assert both.pressure_to_displacement(pressure) == pytest.approx(2.0 * u, rel=1e-10)
+
+
+def test_traction_is_continuous_and_the_stress_along_an_interface_jumps():
+    grid = VolumeGrid(GRID, 16, 0.5e-6)
+    pressure = np.sqrt(np.maximum(0.0, 1.0 - (GRID.x**2 + GRID.y**2) / 8e-6**2)) * 1e6
+    stress = HalfSpace(grid, BASE, layers=[Layer(4e-6, COAT)]).pressure_to_stress(pressure)
+    middle = stress[:, :, 16, 16]
+    above, below = middle[:, 7], middle[:, 8]
+    step = np.abs(np.diff(middle[2])).max()
+    assert abs(above[2] - below[2]) <= step
+    assert middle[2, 0] == pytest.approx(-1e6, rel=0.05)  # just beneath the surface
+    # A stiff coating is bent: its lower side is in tension, the soft body beneath is not.
+    assert above[0] > below[0] + 1e5
+
+
+def test_what_layers_cannot_do_is_refused():
+    layers = [Layer(2e-6, COAT)]
+    pair = SurfaceCompliance(GRID, BASE, RIGID, lower_layers=layers)
+    with pytest.raises(InputError, match="bodies with layers"):
+        pair.displacement(shear_x=np.ones(GRID.shape))
+    grid = VolumeGrid(SurfaceGrid(4, 4, 1e-6, 1e-6), 2, 1e-6)
+    body = HalfSpace(grid, BASE, layers=layers)
+    strain = np.zeros((6, *grid.shape))
+    for call in (body.eigenstrain_to_stress, body.eigenstrain_to_displacement):
+        with pytest.raises(InputError, match="body with layers"):
+            call(strain)
+    for thickness in (0.0, -1e-6, math.inf):
+        with pytest.raises(InputError, match="thickness"):
+            Layer(thickness, COAT)
+    with pytest.raises(InputError, match="rigid"):
+        Layer(1e-6, RIGID)
