@@ -90,6 +90,14 @@ void BlockedFft::rows_forward(const double* field, int plane, int batch, Complex
                 scratch.rows);
 }
 
+void BlockedFft::rows_forward_to(const double* field, ComplexLanes* rows, const RowFft::Spectra& apart,
+                                 Scratch& scratch) const
+{
+  for (int first = 0; first < stored_rows(); first += RowFft::most_rows)
+    rows_.forward(field + static_cast<std::ptrdiff_t>(first) * grid_.nx,
+                  std::min(RowFft::most_rows, stored_rows() - first), rows + first, apart, scratch.rows);
+}
+
 void BlockedFft::columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column, Scratch& scratch,
                                  bool is_odd) const
 {
@@ -147,6 +155,15 @@ void BlockedFft::rows_inverse(const ComplexLanes* rows, int plane, int batch, do
   rows_.inverse(rows + rows_at(0, plane) + first, rows_layout(), std::min(RowFft::most_rows, stored_rows() - first),
                 1.0 / (static_cast<double>(px()) * py()), field + static_cast<std::ptrdiff_t>(first) * grid_.nx,
                 scratch.rows);
+}
+
+void BlockedFft::rows_inverse_from(const ComplexLanes* rows, const RowFft::Spectra& apart, double* field,
+                                   Scratch& scratch) const
+{
+  for (int first = 0; first < stored_rows(); first += RowFft::most_rows)
+    rows_.inverse(rows + first, apart, std::min(RowFft::most_rows, stored_rows() - first),
+                  1.0 / (static_cast<double>(px()) * py()), field + static_cast<std::ptrdiff_t>(first) * grid_.nx,
+                  scratch.rows);
 }
 
 } // namespace brinell

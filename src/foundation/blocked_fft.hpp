@@ -81,6 +81,10 @@ public:
   void rows_forward(const double* field, int plane, ComplexLanes* rows, Scratch& scratch) const;
   /// One batch of these rows.
   void rows_forward(const double* field, int plane, int batch, ComplexLanes* rows, Scratch& scratch) const;
+  /// The rows of one plane alone.
+  /// @param rows   of the first block
+  /// @param apart  values from one block to the next
+  void rows_forward_to(const double* field, ComplexLanes* rows, const RowFft::Spectra& apart, Scratch& scratch) const;
   /// Along y: the rows of one plane in one block to its py values.
   /// @param is_odd  of a mirrored grid: whether the field is odd in y
   void columns_forward(const ComplexLanes* rows, int block, int plane, ComplexLanes* column, Scratch& scratch,
@@ -92,6 +96,8 @@ public:
   void rows_inverse(const ComplexLanes* rows, int plane, double* field, Scratch& scratch) const;
   /// One batch of its rows.
   void rows_inverse(const ComplexLanes* rows, int plane, int batch, double* field, Scratch& scratch) const;
+  /// From the rows of one plane alone, see rows_forward_to.
+  void rows_inverse_from(const ComplexLanes* rows, const RowFft::Spectra& apart, double* field, Scratch& scratch) const;
 
 private:
   [[nodiscard]] int stored_rows() const { return grid_.independent_rows(); } ///< of a plane

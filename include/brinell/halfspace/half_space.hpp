@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/communicator.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/share.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/green/stack.hpp"
 #include "brinell/halfspace/surface_load.hpp"
@@ -22,13 +24,19 @@ namespace brinell::halfspace
 /// that the plastic strain causes: `load` transforms the strain and returns a `Loaded`, which computes the displacement and,
 /// for any surface load, the stress. The kernels of pressure and of shears are computed when they are first needed: a body that
 /// stays elastic needs them for output only.
+///
+/// Several ranks may share a half space. Each then has the fields of its own layers (`share`), all of them every surface field, and
+/// all call the same functions at the same time; the digits are those of a rank alone (docs/theory/ranks.md).
 class HalfSpace
 {
 public:
-  HalfSpace(const VolumeGrid& grid, const Elastic& elastic);
+  using Ranks = std::shared_ptr<const Communicator>;
+
+  /// @param ranks  by which the half space is shared; nullptr: this process alone
+  HalfSpace(const VolumeGrid& grid, const Elastic& elastic, Ranks ranks = nullptr);
   /// Operators on some columns of a longer grid `whole` with the same rows: as close to the operators on the whole grid as the
   /// shorter transforms allow (docs/theory/elastoplastic.md, windows).
-  HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole);
+  HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole, Ranks ranks = nullptr);
   /// A layered body, for loads on its surface. The stress in cells that an interface cuts is the mean of both layers. Strain in
   /// layered bodies is not supported: `load` throws InternalError unless the strain is zero.
   HalfSpace(const VolumeGrid& grid, const ElasticStack& stack);
@@ -49,6 +57,10 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const;
   /// Constants of the substrate.
   [[nodiscard]] const Elastic& elastic() const;
+  [[nodiscard]] const Communicator& ranks() const;
+  [[nodiscard]] const Share& share() const;
+  /// The layers of this rank as a grid: that of its fields.
+  [[nodiscard]] VolumeGrid own_grid() const;
 
   /// Transformed plastic strain, ready to be combined with a load on the surface.
   class Loaded;

@@ -10,17 +10,18 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <omp.h>
+#include <utility>
 
 namespace brinell::halfspace
 {
 
-HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic)
-    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, 0.0))
+HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, Ranks ranks)
+    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, 0.0, std::move(ranks)))
 {
 }
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack)
-    : operators_(std::make_unique<Operators>(grid, stack, 0.0))
+    : operators_(std::make_unique<Operators>(grid, stack, 0.0, nullptr))
 {
 }
 
@@ -38,8 +39,9 @@ double shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
 
 } // namespace
 
-HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole)
-    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, shortest_of_part(grid.surface, whole)))
+HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole, Ranks ranks)
+    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, shortest_of_part(grid.surface, whole),
+                                             std::move(ranks)))
 {
 }
 
@@ -55,6 +57,21 @@ const VolumeGrid& HalfSpace::grid() const
 const Elastic& HalfSpace::elastic() const
 {
   return operators_->stack.substrate;
+}
+
+const Communicator& HalfSpace::ranks() const
+{
+  return *operators_->ranks;
+}
+
+const Share& HalfSpace::share() const
+{
+  return operators_->share;
+}
+
+VolumeGrid HalfSpace::own_grid() const
+{
+  return operators_->own;
 }
 
 HalfSpace::Work::Work() = default;
@@ -88,14 +105,14 @@ HalfSpace::Work HalfSpace::make_guest() const
 HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int layers, Work& work,
                                   Displacements displacements, bool with_trace) const
 {
-  require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * grid().size());
+  require_size("HalfSpace::load: the plastic strain", plastic_strain, Deviator::size * own_grid().size());
   if (layers < 0 || layers > grid().nz)
     throw InternalError(fmt::format("HalfSpace::load: {} layers are wanted, the grid has {}", layers, grid().nz));
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
   if (with_trace)
-    buffers.trace.resize(operators_->trace_fft.block_size() * static_cast<std::size_t>(operators_->trace_fft.blocks()));
+    buffers.trace.resize(operators_->trace_fft.block_size() * static_cast<std::size_t>(operators_->blocks.count()));
   operators_->load_strain(plastic_strain, layers, displacements, buffers, with_trace ? buffers.trace.data() : nullptr);
   buffers.has_trace = with_trace;
   return {*operators_, plastic_strain, *work.buffers_};
@@ -134,10 +151,12 @@ void HalfSpace::Loaded::stress(const SurfaceLoad& load, std::span<double> deviat
 {
   const Operators& op = *operators_;
   require_load("HalfSpace::Loaded::stress", load, op.grid.surface.size());
-  require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.grid.size());
+  require_size("HalfSpace::Loaded::stress: the stress", deviator, Deviator::size * op.own.size());
   require_current("HalfSpace::Loaded::stress");
   op.load_surface(load, *buffers_);
-  if (op.is_mirrored())
+  if (!op.share.is_all())
+    op.add_load_and_invert_shared(load, plastic_strain_, *buffers_, deviator);
+  else if (op.is_mirrored())
     op.add_load_and_invert_mirrored(load, plastic_strain_, *buffers_, deviator);
   else
     op.add_load_and_invert(load, plastic_strain_, *buffers_, deviator);
@@ -149,6 +168,7 @@ void HalfSpace::Loaded::trace(const SurfaceLoad& load, int layer, std::span<doub
   require_load("HalfSpace::Loaded::trace", load, op.grid.surface.size());
   require_size("HalfSpace::Loaded::trace: the trace", out, op.grid.surface.size());
   require_current("HalfSpace::Loaded::trace");
+  op.require_alone("HalfSpace::Loaded::trace");
   if (!buffers_->has_trace || layer >= buffers_->layers)
     throw InternalError("HalfSpace::Loaded::trace: the load was not asked for the trace in this layer");
   op.invert_plane(TractionStress::trace, layer, op.kernels_of(parts_of(load)), op.trace_fft, buffers_->trace.data(),
@@ -166,6 +186,7 @@ void HalfSpace::Loaded::traces(const SurfaceLoad& load, std::span<double> out) c
   const Operators& op = *operators_;
   require_load("HalfSpace::Loaded::traces", load, op.grid.surface.size());
   require_size("HalfSpace::Loaded::traces: the trace", out, op.grid.size());
+  op.require_alone("HalfSpace::Loaded::traces");
   if (!has_trace())
     throw InternalError("HalfSpace::Loaded::traces: the trace is not known");
   const auto kernels = op.kernels_of(parts_of(load));
@@ -186,6 +207,7 @@ void HalfSpace::stress_of_load(const SurfaceLoad& load, Work& work,
   const Operators& op = *operators_;
   const std::size_t cells = op.grid.surface.size();
   require_load("HalfSpace::stress_of_load", load, cells);
+  op.require_alone("HalfSpace::stress_of_load");
   if (work.empty())
     throw InternalError("HalfSpace::stress_of_load: the work is empty; make_guest makes one");
   Work::Buffers& buffers = *work.buffers_;
@@ -216,6 +238,7 @@ void HalfSpace::stress_of_load(const SurfaceLoad& load, int layer, Work& work, s
   const std::size_t cells = op.grid.surface.size();
   require_load("HalfSpace::stress_of_load", load, cells);
   require_size("HalfSpace::stress_of_load: the stress", stress, (Deviator::size + 1) * cells);
+  op.require_alone("HalfSpace::stress_of_load");
   if (work.empty())
     throw InternalError("HalfSpace::stress_of_load: the work is empty; make_guest makes one");
   Work::Buffers& buffers = *work.buffers_;
@@ -239,24 +262,29 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
   const VolumeGrid& grid = op.grid;
   const int computed = std::min(layers, grid.nz);
   require_load("HalfSpace::full_stress", load, grid.surface.size());
-  require_size("HalfSpace::full_stress: the plastic strain", plastic_strain, Deviator::size * grid.size());
-  require_size("HalfSpace::full_stress: the deviator", deviator, Deviator::size * grid.size());
-  require_size("HalfSpace::full_stress: the trace", trace, grid.size());
+  require_size("HalfSpace::full_stress: the plastic strain", plastic_strain, Deviator::size * op.own.size());
+  require_size("HalfSpace::full_stress: the deviator", deviator, Deviator::size * op.own.size());
+  require_size("HalfSpace::full_stress: the trace", trace, op.own.size());
   if (work.empty())
     throw InternalError("HalfSpace::full_stress: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
   const BlockedFft& fft = op.trace_fft;
-  AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(fft.blocks()));
+  AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(op.blocks.count()));
   op.load_strain(plastic_strain, computed, Displacements::normal, buffers, spectra.data());
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));
   const auto threads = static_cast<int>(buffers.threads.size());
+  if (!op.share.is_all())
+    op.invert_traces_shared(kernels, computed, spectra.data(), buffers, trace.data());
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (int layer = 0; layer < computed; ++layer)
   {
+    if (!op.share.has(layer))
+      continue;
     double* field = trace.data() + op.field_at(0, layer);
-    op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers,
-                    buffers.threads[static_cast<std::size_t>(omp_get_thread_num())], field);
+    if (op.share.is_all())
+      op.invert_plane(TractionStress::trace, layer, kernels, fft, spectra.data(), layer, buffers,
+                      buffers.threads[static_cast<std::size_t>(omp_get_thread_num())], field);
     op.finish(ImageCorrection::trace, layer, plastic_strain, buffers, field);
     op.complete(false, trace.subspan(op.field_at(0, layer), grid.surface.size()));
     for (int c = 0; c < Deviator::size; ++c)

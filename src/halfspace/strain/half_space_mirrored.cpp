@@ -56,7 +56,7 @@ const ComplexLanes* HalfSpace::Operators::total_stress(int block, const Mirrored
                                                        const Work::Buffers& work, ComplexLanes* sum) const
 {
   const ComplexLanes* column =
-      work.stress.data() + volume_fft.plane_at(block, Deviator::size * part.layer + part.component);
+      work.stress.data() + plane_at(volume_fft, block, Deviator::size * part.layer + part.component);
   if (std::all_of(kernels.begin(), kernels.end(), [](const auto* kernel) { return kernel == nullptr; }))
     return column;
   TractionStress::add(kernels, block, part.component, part.layer, surface_fft.waves_along_y(),

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <omp.h>
+#include <utility>
 
 namespace brinell::halfspace
 {
@@ -28,12 +29,14 @@ int parts_for(int layers)
 
 } // namespace
 
-HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest)
-    : grid(volume), stack(constants),
+HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by)
+    : grid(volume), stack(constants), ranks(by ? std::move(by) : std::make_shared<const Communicator>()),
+      share(ranks->rank(), ranks->size()), own{volume.surface, share.count(volume.nz), volume.dz},
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
+      own_mirrored_fft(own, surface_fft.px(), surface_fft.py()), blocks(share.blocks(surface_fft.blocks())),
       eigenstrain_stress(volume, constants.top(), surface_fft, shortest),
       image_correction(volume, constants.top(), surface_fft)
 {
@@ -44,29 +47,39 @@ OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTract
   OfTraction<const TractionStress*> result{};
   for (const Traction traction : tractions)
     if (wanted[index(traction)])
-      result[index(traction)] =
-          &kernels_[index(traction)].get([&] { return TractionStress(grid, stack, surface_fft, traction); });
+      result[index(traction)] = &kernels_[index(traction)].get(
+          [&] { return TractionStress(grid, stack, surface_fft, traction, blocks); });
   return result;
 }
 
 std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers(bool of_guest) const
 {
-  const auto blocks = static_cast<std::size_t>(volume_fft.blocks());
+  const auto own_blocks = static_cast<std::size_t>(blocks.count());
   auto work = std::make_unique<Work::Buffers>();
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
     work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
-  work->blocks_at_a_time = blocks_at_a_time(volume_fft.blocks(), static_cast<int>(work->threads.size()));
+  work->blocks_at_a_time = blocks_at_a_time(blocks.count(), static_cast<int>(work->threads.size()));
   if (!of_guest)
   {
     const auto at_a_time = static_cast<std::size_t>(work->blocks_at_a_time);
     work->strain.resize(at_a_time * volume_fft.block_size());
-    work->stress.resize(std::max({volume_fft.block_size() * blocks, volume_fft.rows_size(), mirrored_fft.rows_size()}));
+    // Blocks and rows are those of a whole transform, but for the own blocks.
+    const std::size_t rows_of_block =
+        std::max(volume_fft.rows_size(), mirrored_fft.rows_size()) / static_cast<std::size_t>(volume_fft.blocks());
+    work->stress.resize(own_blocks * std::max(volume_fft.block_size(), rows_of_block));
+    if (!share.is_all())
+    {
+      const Exchange largest = is_mirrored() ? exchange_mirrored(grid.nz) : exchange(volume_fft, grid.nz);
+      const Exchange of_trace = exchange(trace_fft, grid.nz);
+      work->of_planes.resize(std::max(largest.size_of_planes(), of_trace.size_of_planes()));
+      work->of_blocks.resize(std::max(largest.size_of_blocks(), of_trace.size_of_blocks()));
+    }
     work->displacement_parts.resize(at_a_time * static_cast<std::size_t>(parts_for(grid.nz) * surface_fft.pitch()) *
                                     tractions.size());
   }
   work->displacement_rows.front().resize(surface_fft.rows_size());
-  work->surface.front().resize(surface_fft.block_size() * blocks);
+  work->surface.front().resize(surface_fft.block_size() * own_blocks);
   work->used.resize(static_cast<std::size_t>(Deviator::size * grid.nz));
   work->images = image_correction.make_response();
   return work;
@@ -83,10 +96,10 @@ int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain
           return true;
     return false;
   };
-  int strained = grid.nz;
-  while (strained > 0 && !has_strain(strained - 1))
+  int strained = own.nz;
+  while (strained > 0 && !has_strain(share.layer(strained - 1)))
     --strained;
-  return strained;
+  return static_cast<int>(ranks->largest(strained > 0 ? share.layer(strained - 1) + 1 : 0));
 }
 
 void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements,
@@ -118,15 +131,17 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     transform_strain(plastic_strain, strained, work, scratch);
     process_blocks(thread, strained, kernels, work, trace);
 #pragma omp for schedule(static)
-    for (int block = 0; block < surface_fft.blocks(); ++block)
+    for (int block = blocks.first; block < blocks.end; ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
       {
-        const ComplexLanes* spectrum = work.surface[t].data() + surface_fft.plane_at(block, 0);
+        const ComplexLanes* spectrum = work.surface[t].data() + plane_at(surface_fft, block, 0);
         surface_fft.columns_inverse(spectrum, block, 0, work.displacement_rows[t].data(), scratch.fft,
                                     tractions[t] == Traction::shear_y);
       }
   };
   in_threads(threads, load);
+  if (!share.is_all())
+    join_shared(kernels, strained, work);
   if (layers > 0)
     image_correction.respond(strained, work.images, trace != nullptr);
 }
@@ -135,6 +150,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
 void HalfSpace::Operators::transform_strain(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                             Work::Buffers::Scratch& scratch) const
 {
+  if (!share.is_all())
+    return transform_strain_shared(plastic_strain, layers, work, scratch);
   if (is_mirrored())
     return transform_strain_mirrored(plastic_strain, layers, work, scratch.mirrored);
 #pragma omp for schedule(static)
@@ -164,7 +181,7 @@ SpectrumRows HalfSpace::Operators::mirrored(const SpectrumRows& rows) const
 
 ComplexLanes* HalfSpace::Operators::displacement_part(int block, int part, Work::Buffers& work) const
 {
-  const int place = block % work.blocks_at_a_time * parts_for(grid.nz) + part;
+  const int place = (block - blocks.first) % work.blocks_at_a_time * parts_for(grid.nz) + part;
   return work.displacement_parts.data() + place * static_cast<std::ptrdiff_t>(tractions.size()) * surface_fft.pitch();
 }
 
@@ -178,17 +195,17 @@ void HalfSpace::Operators::process_blocks(int thread, int strained, const OfTrac
   const int threads = omp_get_num_threads(); // may be fewer than there are buffers for
   const bool has_own_block = work.blocks_at_a_time == threads;
   const Team team = has_own_block ? Team{0, 1} : Team{thread, threads};
-  const int blocks = volume_fft.blocks(), step = has_own_block ? threads : 1;
-  for (int first = 0; first < blocks; first += step)
+  const int step = has_own_block ? threads : 1;
+  for (int first = blocks.first; first < blocks.end; first += step)
   {
     const int block = first + (has_own_block ? thread : 0);
-    if (block < blocks)
+    if (block < blocks.end)
       transform_layers(block, strained, kernels, team, work, scratch);
     if (threads > 1) // a barrier costs a system call even for a single thread
     {
 #pragma omp barrier
     }
-    if (block < blocks)
+    if (block < blocks.end)
       process_waves(block, strained, kernels, team, work, trace, scratch);
   }
   if (threads > 1)
@@ -204,8 +221,8 @@ void HalfSpace::Operators::process_waves(int block, int strained, const OfTracti
                                          Work::Buffers::Scratch& scratch) const
 {
   const EigenstrainStress::Spectra spectra{strain_of(block, work), strained,
-                                           work.stress.data() + volume_fft.plane_at(block, 0), work.layers,
-                                           trace == nullptr ? nullptr : trace + trace_fft.plane_at(block, 0)};
+                                           work.stress.data() + plane_at(volume_fft, block, 0), work.layers,
+                                           trace == nullptr ? nullptr : trace + plane_at(trace_fft, block, 0)};
   const int rows = volume_fft.py() / 2 + 1;
   const int end = rows * (team.rank + 1) / team.count;
   for (int first = rows * team.rank / team.count; first < end; first += SpectrumRows::most)
@@ -229,15 +246,16 @@ void HalfSpace::Operators::transform_layers(int block, int layers, const OfTract
   for (int part = team.rank; part < parts_for(layers); part += team.count) // the same assignment as along x
   {
     if (is_mirrored())
-      mirrored_fft.columns_forward(work.rows(mirrored_fft.rows_size()), block, part, layers, spectrum,
-                                   volume_fft.pitch(), scratch.mirrored);
+      mirrored_fft.columns_forward(rows_of_strain(mirrored_fft.rows_size(), work), block - blocks.first, part, layers,
+                                   spectrum, volume_fft.pitch(), scratch.mirrored);
     ComplexLanes* sums = displacement_part(block, part, work);
     std::fill_n(sums, tractions.size() * static_cast<std::size_t>(surface_fft.pitch()), ComplexLanes{});
     for (int layer = part * layers_of_a_part; layer < std::min((part + 1) * layers_of_a_part, layers); ++layer)
     {
       ComplexLanes* strain = spectrum + volume_fft.plane_at(0, Deviator::size * layer);
       for (int component = 0; component < Deviator::size && !is_mirrored(); ++component)
-        volume_fft.columns_forward(work.rows(volume_fft.rows_size()), block, Deviator::size * layer + component,
+        volume_fft.columns_forward(rows_of_strain(volume_fft.rows_size(), work), block - blocks.first,
+                                   Deviator::size * layer + component,
                                    strain + static_cast<std::ptrdiff_t>(component) * volume_fft.pitch(), scratch.fft);
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
         kernels[t]->add_displacement(block, layer, surface_fft.waves_along_y(), strain,
@@ -256,7 +274,7 @@ void HalfSpace::Operators::sum_displacement(int block, const SpectrumRows& rows,
       ComplexLanes sum;
       for (int part = 0; part < parts; ++part)
         sum = sum + displacement_part(block, part, work)[static_cast<std::ptrdiff_t>(t) * surface_fft.pitch() + row];
-      work.surface[t][static_cast<std::size_t>(surface_fft.plane_at(block, 0) + row)] = sum;
+      work.surface[t][static_cast<std::size_t>(plane_at(surface_fft, block, 0) + row)] = sum;
     }
 }
 
@@ -271,8 +289,8 @@ void HalfSpace::Operators::load_surface(const SurfaceLoad& load, Work::Buffers& 
     AlignedVector<ComplexLanes>& spectrum = work.surface[index(traction)];
     spectrum.resize(work.surface.front().size());
     surface_fft.rows_forward(part.data(), 0, scratch.rows.data(), scratch.fft);
-    for (int block = 0; block < surface_fft.blocks(); ++block)
-      surface_fft.columns_forward(scratch.rows.data(), block, 0, spectrum.data() + surface_fft.plane_at(block, 0),
+    for (int block = blocks.first; block < blocks.end; ++block)
+      surface_fft.columns_forward(scratch.rows.data(), block, 0, spectrum.data() + plane_at(surface_fft, block, 0),
                                   scratch.fft, traction == Traction::shear_y);
   }
 }
@@ -300,7 +318,7 @@ OfTraction<const ComplexLanes*> HalfSpace::Operators::surface_spectra(int block,
   OfTraction<const ComplexLanes*> spectra{};
   for (std::size_t t = 0; t < spectra.size(); ++t)
     if (!work.surface[t].empty())
-      spectra[t] = work.surface[t].data() + surface_fft.plane_at(block, 0);
+      spectra[t] = work.surface[t].data() + plane_at(surface_fft, block, 0);
   return spectra;
 }
 

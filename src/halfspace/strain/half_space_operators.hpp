@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "eigenstrain_stress.hpp"
 #include "foundation/lazy.hpp"
 #include "halfspace/traction/traction_stress.hpp"
+#include "halfspace/transform/exchange.hpp"
 #include "halfspace/transform/mirrored_fft.hpp"
 #include "image_correction.hpp"
 
 #include <array>
+#include <string>
 #include <vector>
 
 /// Implementation of HalfSpace: transforms and kernels, and the order in which they are applied.
@@ -54,6 +57,7 @@ struct HalfSpace::Work::Buffers
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
   AlignedVector<ComplexLanes> trace; ///< spectra of the trace of the stress, if they have been asked for
   ImageCorrection::Response images;
+  AlignedVector<ComplexLanes> of_planes, of_blocks;    ///< rows passed between ranks, see Exchange
   std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
@@ -61,7 +65,11 @@ struct HalfSpace::Work::Buffers
   bool has_trace = false;                              ///< whether `trace` is that of the strain loaded
 
   /// The buffers that a guest borrows: their size per block does not depend on the number of columns.
-  static constexpr auto lent() { return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts}; }
+  static constexpr auto lent()
+  {
+    return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts, &Buffers::of_planes,
+                      &Buffers::of_blocks};
+  }
 
   /// Rows of the strain, between its transforms along x and y, are stored at the end of the memory of the stress: the rows of a
   /// block are read before the stress of this block is written, which ends before the rows of the next block begin.
@@ -73,15 +81,20 @@ struct HalfSpace::Operators
 {
   VolumeGrid grid;
   ElasticStack stack;
+  Ranks ranks;
+  Share share;
+  VolumeGrid own;         ///< own layers
   BlockedFft surface_fft; ///< of one plane
   BlockedFft volume_fft;  ///< of a deviator field; on a mirrored grid `mirrored_fft` takes its place
   BlockedFft trace_fft;   ///< of a scalar field
   MirroredFft mirrored_fft;
+  MirroredFft own_mirrored_fft; ///< of the own layers
+  Portion blocks;               ///< own ones
   EigenstrainStress eigenstrain_stress;
   ImageCorrection image_correction;
 
   /// @param shortest  see EigenstrainStress
-  Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest);
+  Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by);
 
   /// @param of_guest  leave out the buffers that a guest borrows
   [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers(bool of_guest) const;
@@ -113,10 +126,32 @@ struct HalfSpace::Operators
     if (is_mirrored())
       complete_in_y(grid.surface, is_odd ? -1.0 : 1.0, field.data(), field.size());
   }
-  /// Position of one component in one layer of a field.
+  /// Position of one component in one layer, an own one, of a field.
   [[nodiscard]] std::size_t field_at(int component, int layer) const
   {
-    return static_cast<std::size_t>(component * grid.nz + layer) * grid.surface.size();
+    return static_cast<std::size_t>(component * own.nz + share.place(layer)) * grid.surface.size();
+  }
+  /// Rows of the strain in the own blocks, between its transforms along x and y: see Work::Buffers::rows.
+  /// @param size  number of values in the rows of all blocks
+  [[nodiscard]] ComplexLanes* rows_of_strain(std::size_t size, Work::Buffers& work) const
+  {
+    return work.rows(size / static_cast<std::size_t>(surface_fft.blocks()) * static_cast<std::size_t>(blocks.count()));
+  }
+  /// Place of a plane in spectra of the own blocks.
+  [[nodiscard]] std::ptrdiff_t plane_at(const BlockedFft& fft, int block, int plane) const
+  {
+    return fft.plane_at(block - blocks.first, plane);
+  }
+  /// Counterpart of add_load_and_invert for a half space that ranks share.
+  void add_load_and_invert_shared(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
+                                  std::span<double> stress) const;
+  /// The traces of own layers, in the layers [0, layers), without their local part.
+  void invert_traces_shared(const OfTraction<const TractionStress*>& kernels, int layers, const ComplexLanes* spectra,
+                            Work::Buffers& work, double* trace) const;
+  void require_alone(const char* function_name) const
+  {
+    if (!share.is_all())
+      throw InternalError(std::string(function_name) + ": not for a half space that ranks share");
   }
   /// Number of layers from the surface down to the deepest one with plastic strain.
   [[nodiscard]] int strained_layers(std::span<const double> plastic_strain) const;
@@ -126,13 +161,25 @@ private:
                         Work::Buffers::Scratch& scratch) const;
   void transform_strain_mirrored(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
                                  MirroredFft::Scratch& scratch) const;
+  void transform_strain_shared(std::span<const double> plastic_strain, int layers, Work::Buffers& work,
+                               Work::Buffers::Scratch& scratch) const;
+  /// Passes what all ranks need of the strain: its moments, and the rows of the displacement.
+  void join_shared(const OfTraction<const TractionStress*>& kernels, int strained, Work::Buffers& work) const;
+  void join_layers(int layers, std::vector<double>& moments) const;
+  [[nodiscard]] Exchange exchange(const BlockedFft& fft, int layers) const;
+  [[nodiscard]] Exchange exchange_mirrored(int layers) const;
+  void invert_shared(int component, int layers, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
+                     const ComplexLanes* spectra, int planes_of_layer, Work::Buffers& work, double* fields) const;
+  void add_load_and_invert_mirrored_shared(const OfTraction<const TractionStress*>& kernels,
+                                           std::span<const double> plastic_strain, Work::Buffers& work,
+                                           std::span<double> stress) const;
   int prepare_part(const MirroredFft::Part& part, const MirroredFft::Part& next, std::span<const double> plastic_strain,
                    Work::Buffers& work) const;
   [[nodiscard]] CellRectangle strained_rows(int layer, const Work::Buffers& work) const;
   /// Counterpart of a plane of the spectra in the next block; for the last block, the plane itself.
-  [[nodiscard]] static const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane)
+  [[nodiscard]] const ComplexLanes* next_block(const BlockedFft& fft, int block, const ComplexLanes* plane) const
   {
-    return block + 1 < fft.blocks() ? plane + fft.plane_at(1, 0) : plane;
+    return block + 1 < blocks.end ? plane + fft.plane_at(1, 0) : plane;
   }
   [[nodiscard]] SpectrumRows mirrored(const SpectrumRows& rows) const;
   /// The threads that work on the same block: this one is number `rank` of `count`.
@@ -142,7 +189,8 @@ private:
   };
   [[nodiscard]] ComplexLanes* strain_of(int block, Work::Buffers& work) const
   {
-    return work.strain.data() + block % work.blocks_at_a_time * static_cast<std::ptrdiff_t>(volume_fft.block_size());
+    return work.strain.data() +
+           (block - blocks.first) % work.blocks_at_a_time * static_cast<std::ptrdiff_t>(volume_fft.block_size());
   }
   /// Position of a part in `displacement_parts`.
   [[nodiscard]] ComplexLanes* displacement_part(int block, int part, Work::Buffers& work) const;

@@ -23,9 +23,9 @@ constexpr std::array<double, 3> weight_of_layer{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18
 } // namespace
 
 TractionStress::TractionStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft,
-                               Traction traction)
-    : grid_(grid), fft_(fft), traction_(traction), rows_(fft.py() / 2 + 1),
-      kernels_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(grid.nz) * kernel_count *
+                               Traction traction, const Portion& blocks)
+    : grid_(grid), fft_(fft), traction_(traction), rows_(fft.py() / 2 + 1), blocks_(blocks),
+      kernels_(static_cast<std::size_t>(blocks.count()) * static_cast<std::size_t>(grid.nz) * kernel_count *
                static_cast<std::size_t>(rows_))
 {
   const PaddedFft padded(grid.surface, fft.px(), fft.py());
@@ -42,13 +42,16 @@ TractionStress::TractionStress(const VolumeGrid& grid, const ElasticStack& stack
 
 const Lanes* TractionStress::kernel(int block, int layer, int which) const
 {
-  return kernels_.data() + ((static_cast<std::ptrdiff_t>(block) * grid_.nz + layer) * kernel_count + which) * rows_;
+  const std::ptrdiff_t own = block - blocks_.first;
+  return kernels_.data() + ((own * grid_.nz + layer) * kernel_count + which) * rows_;
 }
 
-double& TractionStress::number(int row, int column, int layer, int which)
+void TractionStress::set(int row, int column, int layer, int which, double value)
 {
+  if (!blocks_.contains(column / lane_count))
+    return;
   const std::ptrdiff_t at = kernel(column / lane_count, layer, which) + row - kernels_.data();
-  return reinterpret_cast<double*>(kernels_.data() + at)[column % lane_count];
+  reinterpret_cast<double*>(kernels_.data() + at)[column % lane_count] = value;
 }
 
 Parity TractionStress::parity(int which) const
@@ -107,7 +110,7 @@ void TractionStress::tabulate_cells(int layer, const ElasticStack& stack, const 
     parity_spectrum(
         fft, parity(which),
         [&](int i, int j) { return kernel_values(response.at(i, j))[static_cast<std::size_t>(which)]; },
-        [&](int row, int column, double value) { number(row, column, layer, which) = value; });
+        [&](int row, int column, double value) { set(row, column, layer, which, value); });
 }
 
 namespace
@@ -201,7 +204,7 @@ void TractionStress::tabulate_waves(int layer, const ElasticStack& stack, const 
       {
         const auto [odd_x, odd_y] = parity(which);
         const bool is_resolved = !(odd_x && shortest_x) && !(odd_y && shortest_y);
-        number(row, i, layer, which) = is_resolved ? value[static_cast<std::size_t>(which)] : 0.0;
+        set(row, i, layer, which, is_resolved ? value[static_cast<std::size_t>(which)] : 0.0);
       }
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/deviator.hpp"
+#include "brinell/foundation/share.hpp"
 #include "brinell/green/stack.hpp"
 #include "brinell/green/traction.hpp"
 #include "foundation/blocked_fft.hpp"
@@ -31,8 +32,14 @@ using OfTraction = std::array<Value, 3>;
 class TractionStress
 {
 public:
-  /// @param fft  transform of single planes on the surface of `grid`; must outlive this object.
-  TractionStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, Traction traction);
+  /// @param fft     transform of single planes on the surface of `grid`; must outlive this object.
+  /// @param blocks  of wavenumbers that will be asked for
+  TractionStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, Traction traction,
+                 const Portion& blocks);
+  TractionStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, Traction traction)
+      : TractionStress(grid, stack, fft, traction, {0, 1, fft.blocks()})
+  {
+  }
 
   static constexpr int trace = Deviator::size; ///< component index of the trace, after those of the deviator
   /// Adds one component of the stress in one layer by all components of the traction that are not zero, in one pass.
@@ -63,7 +70,7 @@ private:
   };
   [[nodiscard]] Parity parity(int which) const;
   [[nodiscard]] const Lanes* kernel(int block, int layer, int which) const;
-  [[nodiscard]] double& number(int row, int column, int layer, int which);
+  void set(int row, int column, int layer, int which, double value);
   void tabulate_cells(int layer, const ElasticStack& stack, const ExcessStress* excess, const PaddedFft& fft);
   void tabulate_waves(int layer, const ElasticStack& stack, const PaddedFft& fft);
 
@@ -71,6 +78,7 @@ private:
   const BlockedFft& fft_;
   Traction traction_;
   int rows_; ///< stored rows, ky >= 0
+  Portion blocks_;
   /// [block][layer][kernel][row]. Every kernel is even or odd in x and in y; the imaginary part of its spectrum is stored if it
   /// is odd in exactly one of them, otherwise the real part.
   AlignedVector<Lanes> kernels_;

@@ -156,6 +156,13 @@ void MirroredFft::complete_even(ComplexLanes* spectrum) const
 void MirroredFft::rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
                                ComplexLanes* out, Scratch& scratch) const
 {
+  rows_forward_to(deviators, number, layers, first_rows, out + static_cast<std::ptrdiff_t>(number) * rows(),
+                  layout(planes_of_group * groups(grid_.nz)), scratch);
+}
+
+void MirroredFft::rows_forward_to(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
+                                  ComplexLanes* out, const RowFft::Spectra& apart, Scratch& scratch) const
+{
   const Plane parts = plane(number, layers);
   const std::ptrdiff_t nx = grid_.surface.nx;
   double* field = scratch.field.data();
@@ -168,8 +175,6 @@ void MirroredFft::rows_forward(const double* deviators, int number, int layers, 
     end = std::max(begin, grid_.surface.ny - begin);
     pack(deviators + field_at(parts.first), deviators + field_at(parts.second), begin, field);
   }
-  out += static_cast<std::ptrdiff_t>(number) * rows();
-  const RowFft::Spectra apart = layout(planes_of_group * groups(grid_.nz));
   for (int first = begin; first < end; first += RowFft::most_rows)
     rows_.forward(field + first * nx, std::min(RowFft::most_rows, end - first), out + first, apart, scratch.row_work);
   for (int block = 0; block < rows_.blocks(); ++block, out += apart.apart)
@@ -214,10 +219,9 @@ void MirroredFft::columns_forward(const ComplexLanes* in, int block, int group, 
   }
 }
 
-void MirroredFft::columns_inverse(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, int block,
-                                  Scratch& scratch) const
+void MirroredFft::columns_inverse_to(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second,
+                                     ComplexLanes* out, Scratch& scratch) const
 {
-  ComplexLanes* out = scratch.rows.data() + static_cast<std::ptrdiff_t>(block) * rows();
   if (!parts.is_shared)
   {
     join(first, second, scratch.spectrum.data());
@@ -236,15 +240,16 @@ void MirroredFft::columns_inverse(const Plane& parts, const ComplexLanes* first,
   }
 }
 
-void MirroredFft::rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const
+void MirroredFft::rows_inverse_from(const Plane& parts, const ComplexLanes* rows_of_plane, const RowFft::Spectra& apart,
+                                    double* deviators, Scratch& scratch) const
 {
   const std::ptrdiff_t nx = grid_.surface.nx;
   const double scale = 1.0 / (static_cast<double>(rows_.length()) * py());
   const int used = parts.is_shared && !parts.second.is_there() ? half_ : rows();
   double* field = scratch.field.data();
   for (int first = 0; first < used; first += RowFft::most_rows)
-    rows_.inverse(scratch.rows.data() + first, layout(1), std::min(RowFft::most_rows, used - first), scale,
-                  field + first * nx, scratch.row_work);
+    rows_.inverse(rows_of_plane + first, apart, std::min(RowFft::most_rows, used - first), scale, field + first * nx,
+                  scratch.row_work);
   if (!parts.is_shared)
     return unpack(field, deviators + field_at(parts.first), deviators + field_at(parts.second));
   std::copy_n(field, half_ * nx, deviators + field_at(parts.first));

@@ -29,6 +29,10 @@ public:
   MirroredFft(const VolumeGrid& grid, int px, int py);
 
   [[nodiscard]] int independent_rows() const { return half_; } ///< rows of a field that are read and written
+  [[nodiscard]] int rows() const
+  {
+    return 2 * half_;
+  } ///< of a plane: even, so that half of them are the independent ones
   /// Number of values in the rows of all planes, between the transforms along x and y.
   [[nodiscard]] std::size_t rows_size() const;
 
@@ -70,6 +74,11 @@ public:
   ///                    nonzero rows of both are contiguous
   void rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
                     ComplexLanes* out, Scratch& scratch) const;
+  /// The same with the rows of this plane alone.
+  /// @param out   of the first block
+  /// @param apart  values from one block to the next
+  void rows_forward_to(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
+                       ComplexLanes* out, const RowFft::Spectra& apart, Scratch& scratch) const;
   /// Along y: transforms the planes of one group in one block to the spectrum of the block at the wavenumbers >= 0,
   /// [layer][component][pitch].
   void columns_forward(const ComplexLanes* in, int block, int group, int layers, ComplexLanes* spectrum, int pitch,
@@ -77,16 +86,25 @@ public:
   /// Inverse along y: the parts of a plane at the wavenumbers >= 0 in one block to the rows of the plane in the scratch.
   /// @param second  nullptr if there is none
   void columns_inverse(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, int block,
-                       Scratch& scratch) const;
+                       Scratch& scratch) const
+  {
+    columns_inverse_to(parts, first, second, scratch.rows.data() + static_cast<std::ptrdiff_t>(block) * rows(),
+                       scratch);
+  }
+  /// The same to the rows of a plane in this block.
+  void columns_inverse_to(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, ComplexLanes* out,
+                          Scratch& scratch) const;
   /// Inverse along x: from the rows in the scratch to the independent rows of the parts.
-  void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const;
+  void rows_inverse(const Plane& parts, double* deviators, Scratch& scratch) const
+  {
+    rows_inverse_from(parts, scratch.rows.data(), layout(1), deviators, scratch);
+  }
+  /// The same from the rows of this plane elsewhere.
+  void rows_inverse_from(const Plane& parts, const ComplexLanes* rows_of_plane, const RowFft::Spectra& apart,
+                         double* deviators, Scratch& scratch) const;
 
 private:
   [[nodiscard]] int py() const { return columns_.length(); }
-  [[nodiscard]] int rows() const
-  {
-    return 2 * half_;
-  } ///< of a plane: even, so that half of them are the independent ones
   [[nodiscard]] RowFft::Spectra layout(int planes) const;
   [[nodiscard]] std::ptrdiff_t field_at(const Part& part) const;
   void complete_even(ComplexLanes* spectrum) const;
