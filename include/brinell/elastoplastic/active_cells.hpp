@@ -54,6 +54,8 @@ public:
   /// Equivalent plastic strain [-] and plastic work [J/m^3] of the increment.
   [[nodiscard]] double equivalent(std::size_t a) const { return equivalent_[a]; }
   [[nodiscard]] double dissipation(std::size_t a) const { return dissipation_[a]; }
+  [[nodiscard]] const std::vector<double>& dissipations() const { return dissipation_; }
+  [[nodiscard]] const std::vector<double>& all_copies() const { return copies_; }
   void set_flow(std::size_t a, const constitutive::PlasticIncrement& increment);
 
   /// Pointers to the packed arrays, for work on several cells at once; deviators are [active][component].

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/communicator.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -16,7 +18,9 @@ class Anderson
 {
 public:
   /// @param depth  earlier evaluations kept; 0 gives the plain fixed point.
-  explicit Anderson(int depth);
+  /// @param ranks  that share the unknowns, dealt out in pieces of those of sum_of_pieces: the first piece to the first rank, the
+  ///               second to the second, and so on. nullptr: this process has all
+  explicit Anderson(int depth, const Communicator* ranks = nullptr);
 
   /// Replaces x by the next iterate, given g(x) and y(x). The arrays may be longer than in the previous call: unknowns that were
   /// appended have no history and are treated as if they had been converged before.
@@ -40,6 +44,7 @@ private:
   [[nodiscard]] std::vector<double> weights(std::size_t used) const;
 
   std::size_t depth_;
+  const Communicator* ranks_;
   std::size_t count_ = 0;    ///< evaluations since the last reset, without those after which the map changed
   bool changes_map_ = false; ///< whether the next evaluation uses a changed map
   /// Relative to the size of the system. Without it, differences that have become parallel would carry no information.

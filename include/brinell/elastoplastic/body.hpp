@@ -126,12 +126,19 @@ struct Trial
   bool has_thermal_stress = false;      ///< otherwise that of the state stays
   double yield_error = 0.0;             ///< of the last evaluation
   bool bears_shear = false;             ///< whether there was shear in the last evaluation
+  /// Of a body that ranks share: places of the own active cells among those of all ranks, in the order in which a rank alone would
+  /// add them, and the number of all.
+  std::vector<std::size_t> places{};
+  std::size_t count_of_all = 0;
 };
 
-/// The parts of a body.
+/// The parts of a body. Ranks may share it: each then has the fields of its own layers, and all of them the surface.
 struct BodyParts
 {
-  VolumeGrid grid;
+  VolumeGrid grid; ///< of the fields: the own layers
+  VolumeGrid whole;
+  std::shared_ptr<const Communicator> ranks;
+  Share share;
   BodySettings settings;
   Yield yield;
   Hidden<Evaluation> evaluation;
@@ -140,6 +147,8 @@ struct BodyParts
   Trial trial{};
 
   [[nodiscard]] bool is_plastic() const { return yield.material.is_plastic(); }
+  /// Layer of the whole body in which an own cell lies.
+  [[nodiscard]] int layer_of(std::size_t cell) const { return share.layer(static_cast<int>(yield.layer_of(cell))); }
   /// At the end of the current increment; empty without heat.
   [[nodiscard]] const std::vector<double>& thermal_stress() const
   {
@@ -171,14 +180,26 @@ public:
   /// @param grid        if it is mirrored, evaluations work on the independent rows alone; in the state all rows are kept
   ///                    consistent.
   /// @param half_space  operators of the grid and the elastic constants, shared by bodies that are alike; nullptr: rigid body.
+  ///                    If ranks share it, they share the body: all of them call the same functions at the same time.
   Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
        const constitutive::Material& material, const BodySettings& settings = {});
 
-  [[nodiscard]] const VolumeGrid& grid() const { return parts_.grid; }
+  [[nodiscard]] const VolumeGrid& grid() const { return parts_.whole; }
+  /// The ranks that share the body.
+  [[nodiscard]] const Communicator& ranks() const { return *parts_.ranks; }
   [[nodiscard]] const constitutive::Material& material() const { return parts_.yield.material; }
+  /// Of a body that ranks share, with the fields of the own layers.
   [[nodiscard]] const BodyState& state() const { return parts_.state; }
+  /// A field of the state in all layers. If ranks share the body only the first one receives fields within it; the others get
+  /// an empty one.
+  [[nodiscard]] std::vector<double> field(std::vector<double> BodyState::*member) const;
+  /// Accumulated equivalent plastic strain in a cell of the whole body; 0 if it is rigid.
+  [[nodiscard]] double equivalent_at(std::size_t cell) const;
   /// Where the state has plastic strain; empty for a body that cannot yield.
   [[nodiscard]] const PlasticZone& plastic_zone() const { return parts_.zone; }
+  /// Largest equivalent plastic strain of each layer of the whole body; empty for a body that cannot yield.
+  [[nodiscard]] std::vector<double> largest_of_layers() const;
+  [[nodiscard]] double largest_strain() const;
 
   /// Sets a factor on the yield stress of each cell, in addition to the depth profile, for instance by temperature
   /// (constitutive/softening.hpp). Between increments the factor takes effect at once; within an increment it takes effect with
@@ -239,6 +260,15 @@ public:
 
   /// The active cells with their trials q, images g(q) and flow; `trial` gives the trials to be changed.
   [[nodiscard]] const ActiveCells& active() const { return parts_.trial.active; }
+  /// Number of active cells of all ranks, and the place of an own one among them.
+  [[nodiscard]] std::size_t active_of_all() const
+  {
+    return parts_.share.is_all() ? parts_.trial.active.size() : parts_.trial.count_of_all;
+  }
+  [[nodiscard]] std::size_t place_of_active(std::size_t a) const
+  {
+    return parts_.share.is_all() ? a : parts_.trial.places[a];
+  }
   [[nodiscard]] std::vector<double>& trial() { return parts_.trial.active.trials(); }
   /// Lengthens the step of the trials in cells near the surface that flow along the surface, because the surrounding body hardly
   /// restrains such flow; does nothing without shear on the surface.
@@ -254,7 +284,8 @@ public:
   /// the body does not yield. For a zero vector: the shear that the cell can carry in every direction.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
   /// Total stress in all layers [Pa], from a load, the plastic strain and the initial stress before the first load: deviator, 5
-  /// values per cell, and trace. The body must not be rigid.
+  /// values per cell, and trace. The body must not be rigid. If ranks share it only the first one receives the stress; the spans of
+  /// the others are empty.
   /// @param layers  number of layers from the surface that are computed
   void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
                    int layers = halfspace::HalfSpace::all_layers);

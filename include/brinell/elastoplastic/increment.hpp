@@ -79,10 +79,13 @@ public:
   /// @param twin       unless none, the upper body has, and keeps, the grid, material and history of the lower one (or their
   ///                   mirror image): only the lower one is solved.
   /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m].
+  /// @param ranks      that solve the contact together (docs/theory/ranks.md): all of them call the same functions at the same
+  ///                   time. nullptr: this process alone.
   CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
-                 double reference = 0.0, const Sliding& sliding = {});
+                 double reference = 0.0, const Sliding& sliding = {},
+                 const std::shared_ptr<const Communicator>& ranks = nullptr);
 
   [[nodiscard]] BodyView lower() const;
   [[nodiscard]] BodyView upper() const;

@@ -57,7 +57,8 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const;
   /// Constants of the substrate.
   [[nodiscard]] const Elastic& elastic() const;
-  [[nodiscard]] const Communicator& ranks() const;
+  [[nodiscard]] const Communicator& ranks() const { return *shared_ranks(); }
+  [[nodiscard]] const Ranks& shared_ranks() const;
   [[nodiscard]] const Share& share() const;
   /// The layers of this rank as a grid: that of its fields.
   [[nodiscard]] VolumeGrid own_grid() const;

@@ -37,6 +37,60 @@ double softening_far_away(const constitutive::Material& material)
   return material.softening ? constitutive::softening_factor(*material.softening, material.temperature) : 1.0;
 }
 
+/// Passes the fields of all layers, so that as many or as few ranks as there are can continue the history.
+void exchange_field(Archive& archive, const BodyParts& b, const std::string& name, std::vector<double>& own_field)
+{
+  if (!archive.gives())
+  {
+    std::vector<double> whole = gathered(b, own_field);
+    return archive(name, whole);
+  }
+  std::vector<double> whole(own_field.size() / b.grid.size() * b.whole.size());
+  archive(name, whole);
+  own_field = own_layers(b, whole);
+}
+
+/// The same for a field that may be empty.
+void exchange_list(Archive& archive, const BodyParts& b, const std::string& name, std::vector<double>& own_field)
+{
+  std::vector<double> whole = archive.gives() ? std::vector<double>() : gathered(b, own_field);
+  archive.list(name, whole);
+  if (archive.gives())
+    own_field = own_layers(b, whole);
+}
+
+/// State of a body that ranks share, as `exchange_members` passes that of a body alone.
+void exchange_shared(Archive& archive, BodyParts& b)
+{
+  struct State
+  {
+    BodyParts& b;
+    void exchange(Archive& archive)
+    {
+      for_parts(
+          [&]<typename Part>(std::string_view part, const Traits& traits, Part& value)
+          {
+            const std::string name(part);
+            if constexpr (std::is_same_v<Part, std::vector<double>>)
+            {
+              if (traits.is_sized)
+                exchange_list(archive, b, name, value);
+              else if (!value.empty() && name.starts_with("residual_displacement"))
+                archive(name, value);
+              else if (!value.empty())
+                exchange_field(archive, b, name, value);
+            }
+            else
+              archive(name, value);
+          },
+          b.state);
+    }
+  };
+  State state{b};
+  archive("state", state);
+  exchange_field(archive, b, "q_field", b.trial.stress);
+}
+
 /// Drops what belongs to the trial alone.
 void return_to_state(BodyParts& b)
 {
@@ -49,13 +103,16 @@ void return_to_state(BodyParts& b)
 
 Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
            const constitutive::Material& material, const BodySettings& settings)
-    : parts_{.grid = grid,
+    : parts_{.grid = half_space ? half_space->own_grid() : grid,
+             .whole = grid,
+             .ranks = half_space ? half_space->shared_ranks() : std::make_shared<const Communicator>(),
+             .share = half_space ? half_space->share() : Share(),
              .settings = settings,
              .yield = {material, grid.surface.size()},
              .evaluation = make_hidden<Evaluation>(grid, std::move(half_space), material, settings)}
 {
   BodyParts& b = parts_;
-  const std::size_t n = grid.size();
+  const std::size_t n = b.grid.size();
   if (!material.elastic.is_rigid())
   {
     b.state.plastic_strain.assign(Deviator::size * n, 0.0);
@@ -63,13 +120,13 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   }
   b.state.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   b.evaluation->store(b.state);
-  for (int layer = 0; layer < grid.nz; ++layer)
-    b.yield.factor.push_back(material.yield_factor.at((layer + 0.5) * grid.dz, 1.0));
+  for (int layer = 0; layer < b.grid.nz; ++layer)
+    b.yield.factor.push_back(material.yield_factor.at((b.share.layer(layer) + 0.5) * grid.dz, 1.0));
   if (!b.is_plastic())
     return;
-  b.zone = PlasticZone(grid, b.state.equivalent);
+  b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.state.stress.assign(Deviator::size * n, 0.0);
-  b.evaluation->initial_stress().add_to(b.state.stress, grid.nz, grid.surface.ny);
+  b.evaluation->initial_stress().add_to(b.state.stress, b.grid.nz, grid.surface.ny);
 }
 
 void Body::exchange(Archive& archive)
@@ -78,8 +135,13 @@ void Body::exchange(Archive& archive)
   if (!b.is_plastic())
     return;
   prepare_trial(b);
-  archive("state", b.state);
-  archive("q_field", b.trial.stress);
+  if (b.share.is_all())
+  {
+    archive("state", b.state);
+    archive("q_field", b.trial.stress);
+  }
+  else
+    exchange_shared(archive, b);
   b.evaluation->exchange(archive);
   if (!archive.gives())
     return;
@@ -94,7 +156,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   if (!b.is_plastic())
     return;
   b.state.softening.assign(history.softening.empty() ? 0 : b.grid.size(), softening_far_away(b.yield.material));
-  embed_state(from, history, b.grid, b.state);
+  embed_state(VolumeGrid{from.surface, b.share.count(from.nz), from.dz}, history, b.grid, b.state);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.yield.softening = b.state.softening;
   prepare_trial(b);
@@ -110,11 +172,11 @@ void Body::set_softening(std::span<const double> factor)
 {
   BodyParts& b = parts_;
   if (!factor.empty())
-    require_size("Body::set_softening: the factor", factor, b.grid.size());
+    require_size("Body::set_softening: the factor", factor, b.whole.size());
   for (const double value : factor)
     if (!(value > 0.0 && std::isfinite(value)))
       throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", value));
-  b.yield.softening.assign(factor.begin(), factor.end());
+  b.yield.softening = own_layers(b, factor);
   if (!b.trial.is_open)
     b.state.softening = b.yield.softening;
 }
@@ -130,6 +192,8 @@ void Body::begin(int shift, double stiffness_share, Guess guess)
   b.trial.has_thermal_stress = false;
   b.trial.is_open = true;
   b.trial.active.clear();
+  b.trial.places.clear();
+  b.trial.count_of_all = 0;
   b.evaluation->begin(shift);
   if (guess == Guess::stress)
     for (const std::size_t cell : b.trial.guessed_cells)
@@ -144,7 +208,7 @@ void Body::set_thermal_stress(std::span<const double> deviator)
   BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
-  b.trial.thermal_stress.assign(deviator.begin(), deviator.end());
+  b.trial.thermal_stress = own_layers(b, deviator);
   b.trial.has_thermal_stress = true;
 }
 
@@ -166,10 +230,10 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   const auto acts = [](double shear) { return shear != 0.0; };
   b.trial.bears_shear = std::any_of(load.shear_x.begin(), load.shear_x.end(), acts) ||
                         std::any_of(load.shear_y.begin(), load.shear_y.end(), acts);
-  b.trial.yield_error = map_trials(b);
+  b.trial.yield_error = b.ranks->largest(map_trials(b));
   const std::size_t before = b.trial.active.size();
   collect_active(b, b.trial.stress, 0, 1.0);
-  if (b.trial.active.size() == before)
+  if (!b.ranks->any(b.trial.active.size() != before))
     return false;
   b.evaluation->follow(b.trial.active, before);
   put_on_yield_surface(b, before);
@@ -242,8 +306,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   for (std::size_t a = 0; a < active.size(); ++a)
     if (active.equivalent(a) > 0.0)
       b.with_copies(a, [&](std::size_t cell, const auto& /*seen*/) { b.zone.add(cell, b.state.equivalent[cell]); });
-  for (std::size_t a = 0; a < active.size(); ++a)
-    b.state.dissipation += b.copies(a) * active.dissipation(a) * b.grid.cell_volume();
+  b.state.dissipation = with_dissipation(b, b.state.dissipation, b.grid.cell_volume());
   b.state.thermal_work += thermal_work_of_trial(b);
   if (b.trial.has_thermal_stress)
     b.state.thermal_stress.swap(b.trial.thermal_stress);
@@ -302,7 +365,13 @@ std::span<const double> Body::residual_displacement(std::size_t axis) const
 void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
                        int layers)
 {
-  parts_.evaluation->full_stress(load, parts_.state.plastic_strain, deviator, trace, layers);
+  BodyParts& b = parts_;
+  if (b.share.is_all())
+    return b.evaluation->full_stress(load, b.state.plastic_strain, deviator, trace, layers);
+  std::vector<double> own_deviator(Deviator::size * b.grid.size()), own_trace(b.grid.size());
+  b.evaluation->full_stress(load, b.state.plastic_strain, own_deviator, own_trace, layers);
+  std::ranges::copy(gathered(b, own_deviator), deviator.begin());
+  std::ranges::copy(gathered(b, own_trace), trace.begin());
 }
 
 std::vector<Body::CellStress> Body::stress_at(std::span<const std::size_t> cells, const halfspace::SurfaceLoad& load)

@@ -108,7 +108,7 @@ void find_cells_beyond(const BodyParts& b, const Law& law, std::size_t layer, co
 void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift, double fraction)
 {
   const std::size_t n = b.grid.size();
-  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(b.evaluation->layers()));
+  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(b.share.count(b.evaluation->layers())));
   std::visit(
       [&](const auto& law)
       {
@@ -125,6 +125,12 @@ void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift,
       const Deviator q = deviator_at(q_field, n, static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) - shift));
       b.trial.active.add(cell, q, deviator_at(b.state.plastic_strain, n, cell), s.copies_of_row(row));
     }
+  if (b.share.is_all())
+    return;
+  std::vector<double> added;
+  for (const std::vector<std::size_t>& cells : found)
+    added.push_back(static_cast<double>(cells.size()));
+  number_active_cells(b, added);
 }
 
 namespace
@@ -150,7 +156,7 @@ void Body::go_further(const std::vector<double>& residual)
   BodyParts& b = parts_;
   if (!b.trial.bears_shear)
     return;
-  SurfaceMeans means(b.grid);
+  SurfaceMeans means({b.grid.surface, b.share.count(std::min(SurfaceMeans::layers, b.whole.nz)), b.grid.dz});
   std::vector<Flowing> flowing;
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
   {
@@ -173,7 +179,7 @@ void Body::go_further(const std::vector<double>& residual)
   {
     const std::size_t cell = b.trial.active.cell(one.a);
     double share = mean_extension * means.contracted(cell, one.flow) / one.square;
-    if (b.yield.layer_of(cell) == 0)
+    if (b.layer_of(cell) == 0)
       share += own_extension * one.residual * 2.0 *
                (one.flow[Deviator::yz] * one.flow[Deviator::yz] + one.flow[Deviator::xz] * one.flow[Deviator::xz]) /
                one.square;

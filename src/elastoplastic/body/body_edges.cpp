@@ -45,11 +45,13 @@ bool extends_beyond(const BodyParts& b, const std::vector<std::size_t>& cells, s
 /// depth, and so does the temperature, hence the softening.
 bool may_yield_below(const BodyParts& b)
 {
+  if (!b.share.has(b.whole.nz - 1))
+    return false;
   const std::size_t n = b.grid.size();
   const auto last = static_cast<std::size_t>(b.grid.nz - 1);
   double weakest = b.yield.factor[last];
   double added = 0.0; // largest difference of the initial stress below the grid from that in the last layer [Pa]
-  const double bottom = b.grid.nz * b.grid.dz;
+  const double bottom = b.whole.nz * b.grid.dz;
   for (const double z : b.yield.material.yield_factor.depth())
     if (z > bottom)
       weakest = std::min(weakest, b.yield.material.yield_factor.at(z, 1.0));
@@ -82,6 +84,7 @@ Edges Body::reached_edges() const
   double largest = b.zone.largest();
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
     largest = std::max(largest, equivalent_of(b, a));
+  largest = b.ranks->largest(largest);
   const double limit =
       std::max(tolerated * largest, negligible * constitutive::initial_yield_stress(*b.yield.material.hardening) /
                                         b.yield.material.elastic.young_modulus);
@@ -99,11 +102,11 @@ Edges Body::reached_edges() const
       at_ends.push_back(cell);
     if (!s.is_periodic_y() && (j == 0 || j == s.ny - 1))
       at_sides.push_back(cell);
-    edges.bottom = edges.bottom || static_cast<int>(b.yield.layer_of(cell)) == b.grid.nz - 1;
+    edges.bottom = edges.bottom || b.layer_of(cell) == b.whole.nz - 1;
   }
-  edges.ends = extends_beyond(b, at_ends, 1, s.nx, largest);
-  edges.sides = extends_beyond(b, at_sides, static_cast<std::size_t>(s.nx), s.ny, largest);
-  edges.bottom = edges.bottom || may_yield_below(b);
+  edges.ends = b.ranks->any(extends_beyond(b, at_ends, 1, s.nx, largest));
+  edges.sides = b.ranks->any(extends_beyond(b, at_sides, static_cast<std::size_t>(s.nx), s.ny, largest));
+  edges.bottom = b.ranks->any(edges.bottom || may_yield_below(b));
   return edges;
 }
 

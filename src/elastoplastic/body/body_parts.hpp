@@ -33,6 +33,22 @@ void recover_guess(BodyParts& body);
 /// @param zone  contains all cells with plastic strain
 [[nodiscard]] double locked_in_energy(const BodyParts& body, const halfspace::SurfaceLoad& load,
                                       const PlasticZone& zone);
+/// Of a body that ranks share: gives the active cells that were added last their places among those of all ranks.
+/// @param added  number of them in each own layer
+void number_active_cells(BodyParts& body, const std::vector<double>& added);
+/// Values of the active cells of all ranks in the order of their places.
+[[nodiscard]] std::vector<double> in_order(const BodyParts& body, std::span<const double> of_own_cells);
+/// Sum over copies times dissipation of the active cells, added to `sum` one after the other.
+[[nodiscard]] double with_dissipation(const BodyParts& body, double sum, double volume);
+/// Sum of term(cell) over the plastic zone of all ranks, as by sum_of_pieces over the cells of the whole body.
+/// @param piece  cells of a piece
+[[nodiscard]] double sum_over_zone(const BodyParts& body, const PlasticZone& zone, std::size_t piece,
+                                   const std::function<double(std::size_t)>& term);
+/// The layers of all ranks of a field, for the first rank; empty for the others.
+[[nodiscard]] std::vector<double> gathered(const BodyParts& body, std::span<const double> own_field);
+/// The own layers of a field.
+[[nodiscard]] std::vector<double> own_layers(const BodyParts& body, std::span<const double> whole_field);
+
 /// Work of the thermal stress on the plastic strain of the present increment, by the trapezoidal rule [J].
 [[nodiscard]] double thermal_work_of_trial(const BodyParts& body);
 

@@ -9,15 +9,14 @@
 namespace brinell::elastoplastic
 {
 
+namespace
+{
+
 /// In pure shear the yield surface is a circle in (xz, yz) around its centre with the radius yield stress / sqrt(3). Strain and
 /// back stresses of the state are those before an increment; those of the cells that flow in it are added here.
-std::vector<double> Body::shear_strength(double along_x, double along_y) const
+void find_shear_strength(const BodyParts& b, double along_x, double along_y, std::vector<double>& strength)
 {
-  const BodyParts& b = parts_;
-  const std::size_t cells = b.grid.surface.size();
-  std::vector<double> strength(cells, std::numeric_limits<double>::infinity());
-  if (!b.is_plastic())
-    return strength;
+  const std::size_t cells = strength.size();
   std::vector<double> equivalent(b.state.equivalent.begin(),
                                  b.state.equivalent.begin() + static_cast<std::ptrdiff_t>(cells));
   std::vector<Deviator> centres(cells);
@@ -51,6 +50,20 @@ std::vector<double> Body::shear_strength(double along_x, double along_y) const
         }
       },
       *b.yield.material.hardening);
+}
+
+} // namespace
+
+std::vector<double> Body::shear_strength(double along_x, double along_y) const
+{
+  const BodyParts& b = parts_;
+  const std::size_t cells = b.grid.surface.size();
+  std::vector<double> strength(cells, std::numeric_limits<double>::infinity());
+  if (!b.is_plastic())
+    return strength;
+  if (b.share.has(0))
+    find_shear_strength(b, along_x, along_y, strength);
+  b.ranks->broadcast(strength, b.share.layers().owner(0));
   return strength;
 }
 

@@ -41,7 +41,7 @@ BodyState BodyView::state() const
 
 std::vector<double> BodyView::field(std::vector<double> BodyState::*member) const
 {
-  std::vector<double> copy = solved_->state().*member;
+  std::vector<double> copy = solved_->field(member);
   turn_field(traits_of(member).in_mirror, copy);
   return copy;
 }

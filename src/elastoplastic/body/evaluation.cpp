@@ -42,7 +42,8 @@ auto displacements_of(State& state)
 /// Columns in which an increment changes strain or load.
 /// @param load   before the increment
 /// @param shift  by which the contact moves in the increment [cells]
-Columns affected_columns(const SurfaceGrid& s, const ActiveCells& active, const StoredLoad& load, int shift)
+Columns affected_columns(const SurfaceGrid& s, const ActiveCells& active, const StoredLoad& load, int shift,
+                         const Communicator& ranks)
 {
   const auto nx = static_cast<std::size_t>(s.nx);
   Extent extent{s.nx, -1};
@@ -56,6 +57,8 @@ Columns affected_columns(const SurfaceGrid& s, const ActiveCells& active, const 
         extent.add(column);
         extent.add(std::clamp(column + shift, 0, s.nx - 1));
       }
+  extent.add(static_cast<int>(ranks.largest(extent.last)));
+  extent.first = -static_cast<int>(ranks.largest(-extent.first));
   return {extent.first, extent.last + 1 - extent.first};
 }
 
@@ -77,8 +80,9 @@ void add_thermal_stress(const VolumeGrid& grid, std::span<const double> thermal,
 
 Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> half_space,
                        const constitutive::Material& material, const BodySettings& settings)
-    : grid_(grid), half_space_(std::move(half_space)), is_plastic_(material.is_plastic()),
-      shortcuts_(settings.shortcuts), initial_stress_(grid, material), layers_(grid.nz), watched_(grid)
+    : grid_(grid), half_space_(std::move(half_space)), share_(half_space_ ? half_space_->share() : Share()),
+      own_(half_space_ ? half_space_->own_grid() : grid), is_plastic_(material.is_plastic()),
+      shortcuts_(settings.shortcuts), initial_stress_(own_, material, share_), layers_(grid.nz), watched_(grid)
 {
   displacement_[0].assign(grid_.surface.size(), 0.0);
   if (is_plastic_ && settings.displacements != Displacements::normal)
@@ -86,7 +90,7 @@ Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::
   if (is_plastic_ && settings.displacements == Displacements::all)
     displacement_[2] = displacement_[0];
   if (is_plastic_ && shortcuts_ && settings.windows)
-    window_ = std::make_unique<Window>(grid_, material.elastic);
+    window_ = std::make_unique<Window>(grid_, material.elastic, half_space_->shared_ranks());
 }
 
 void Evaluation::begin(int shift)
@@ -118,11 +122,16 @@ Scope Evaluation::scope() const
 void Evaluation::follow(const ActiveCells& active, std::size_t first)
 {
   const auto nx = static_cast<std::size_t>(grid_.surface.nx);
-  const int deepest = active.empty() ? 0 : static_cast<int>(layer_of(active.deepest()));
+  const int own_deepest = active.empty() ? 0 : share_.layer(static_cast<int>(layer_of(active.deepest())));
+  const int deepest = is_plastic_ ? static_cast<int>(ranks().largest(own_deepest)) : 0;
   layers_ = shortcuts_ ? std::min(grid_.nz, deepest + 1 + spare_layers) : grid_.nz;
-  for (std::size_t a = first; windowed_ && a < active.size(); ++a)
-    if (window_->is_at_end(static_cast<int>(active.cell(a) % nx)))
-      require(Scope::all);
+  if (!windowed_)
+    return;
+  bool is_at_end = false;
+  for (std::size_t a = first; a < active.size(); ++a)
+    is_at_end = is_at_end || window_->is_at_end(static_cast<int>(active.cell(a) % nx));
+  if (ranks().any(is_at_end))
+    require(Scope::all);
 }
 
 double Evaluation::load(const BodyState& state, const ActiveCells& active)
@@ -151,11 +160,11 @@ double Evaluation::load(const BodyState& state, const ActiveCells& active)
 void Evaluation::choose_window(const BodyState& state, const ActiveCells& active)
 {
   const bool is_whole = std::exchange(wants_all_cells_, false);
-  if (!window_ || is_whole || windowed_ || !may_use_window_ || active.empty())
+  if (!window_ || is_whole || windowed_ || !may_use_window_ || !ranks().any(!active.empty()))
     return;
   const bool along = wanted() == Displacements::all;
   windowed_ = window_->place(
-      affected_columns(grid_.surface, active, committed_load_, shift_),
+      affected_columns(grid_.surface, active, committed_load_, shift_, ranks()),
       {.stress = state.stress,
        .thermal_stress = state.thermal_stress,
        .displacement = {displacement_[0], along ? displacement_[1] : std::span<const double>(), displacement_[2]},
@@ -237,8 +246,8 @@ void Evaluation::stress(const halfspace::SurfaceLoad& load, std::span<const doub
   if (!watched_.empty() && is_whole())
     watched_.find_traces(*loaded_, load);
   const int rows = grid_.surface.independent_rows();
-  initial_stress_.add_to(stress, layers_, rows);
-  add_thermal_stress(grid_, thermal, layers_, rows, stress);
+  initial_stress_.add_to(stress, share_.count(layers_), rows);
+  add_thermal_stress(own_, thermal, share_.count(layers_), rows, stress);
   may_use_window_ = false;
 }
 
@@ -249,8 +258,8 @@ void Evaluation::compute_anew(const BodyState& state, const halfspace::SurfaceLo
   loaded_.emplace(half_space_->load(state.plastic_strain, grid_.nz, work_, all));
   find_displacements(all);
   loaded_->stress(load, stress);
-  initial_stress_.add_to(stress, grid_.nz, grid_.surface.ny);
-  add_thermal_stress(grid_, state.thermal_stress, grid_.nz, grid_.surface.ny, stress);
+  initial_stress_.add_to(stress, own_.nz, own_.surface.ny);
+  add_thermal_stress(own_, state.thermal_stress, own_.nz, own_.surface.ny, stress);
   commit(load);
 }
 
@@ -290,7 +299,7 @@ void Evaluation::full_stress(const halfspace::SurfaceLoad& load, std::span<const
   if (!is_plastic_ || work_.empty())
     work_ = half_space_->make_work();
   half_space_->full_stress(load, strain, work_, deviator, trace, layers);
-  initial_stress_.add_to(deviator, grid_.nz, grid_.surface.ny);
+  initial_stress_.add_to(deviator, own_.nz, own_.surface.ny);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_.at(layer_of(i));
   if (!is_plastic_)

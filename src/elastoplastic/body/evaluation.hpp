@@ -85,8 +85,12 @@ private:
   [[nodiscard]] std::vector<Body::CellStress> elastic_stress_at(std::span<const std::size_t> cells,
                                                                 const halfspace::SurfaceLoad& load);
 
+  [[nodiscard]] const Communicator& ranks() const { return half_space_->ranks(); }
+
   VolumeGrid grid_;
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
+  Share share_;
+  VolumeGrid own_; ///< own layers
   bool is_plastic_, shortcuts_;
   InitialStress initial_stress_;
   halfspace::HalfSpace::Work work_;

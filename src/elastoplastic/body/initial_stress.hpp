@@ -4,6 +4,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/share.hpp"
 
 #include <cstddef>
 #include <span>
@@ -16,11 +17,12 @@ namespace brinell::elastoplastic
 class InitialStress
 {
 public:
-  InitialStress(const VolumeGrid& grid, const constitutive::Material& material)
+  /// @param grid  the own layers of `share`
+  InitialStress(const VolumeGrid& grid, const constitutive::Material& material, const Share& share)
       : grid_(grid), is_zero_(material.initial_stress.empty())
   {
     for (int layer = 0; layer < grid_.nz; ++layer)
-      values_.push_back(material.initial_stress.at((layer + 0.5) * grid_.dz, 0.0));
+      values_.push_back(material.initial_stress.at((share.layer(layer) + 0.5) * grid_.dz, 0.0));
   }
 
   [[nodiscard]] double at(std::size_t layer) const { return values_[layer]; } ///< [Pa]

@@ -30,9 +30,11 @@ void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
     kept[t].assign(parts[t].begin(), parts[t].end());
 }
 
-Window::Window(const VolumeGrid& body, const Elastic& elastic)
-    : body_(body), elastic_(elastic), cells_(body), requests_(window_shares.size(), 0.0)
+Window::Window(const VolumeGrid& body, const Elastic& elastic, halfspace::HalfSpace::Ranks ranks)
+    : body_(body), all_layers_(body.nz), elastic_(elastic), ranks_(std::move(ranks)),
+      share_(ranks_->rank(), ranks_->size()), cells_(body), requests_(window_shares.size(), 0.0)
 {
+  body_.nz = cells_.nz = share_.count(all_layers_);
 }
 
 int length_of_window(std::size_t index, int columns)
@@ -161,7 +163,7 @@ Window::Part& Window::operators()
   {
     loaded_.reset();
     part_.reset(); // before the longer one takes memory
-    halfspace::HalfSpace half_space(cells_, elastic_, body_.surface);
+    halfspace::HalfSpace half_space({cells_.surface, all_layers_, cells_.dz}, elastic_, body_.surface, ranks_);
     halfspace::HalfSpace::Work work = half_space.make_guest();
     part_ = std::make_unique<Part>(Part{std::move(half_space), std::move(work)});
   }
@@ -227,7 +229,7 @@ void Window::stress(const halfspace::SurfaceLoad& load, std::span<const double> 
   loaded_->stress({.pressure = load_change_[0], .shear_x = load_change_[1], .shear_y = load_change_[2]},
                   stress_change_);
   halfspace::HalfSpace::exchange_buffers(part.work, host);
-  for_independent_rows(layers_,
+  for_independent_rows(share_.count(layers_),
                        [&](std::size_t in_body, std::size_t in_window)
                        {
                          for (std::size_t i = 0; i < count; ++i)

@@ -44,7 +44,8 @@ inline constexpr double requests_without_window = 3.0;
 class Window
 {
 public:
-  Window(const VolumeGrid& body, const Elastic& elastic);
+  /// @param ranks  that share the body; fields are those of the own layers
+  Window(const VolumeGrid& body, const Elastic& elastic, halfspace::HalfSpace::Ranks ranks);
 
   /// A consistent solution for the whole body.
   struct Reference
@@ -100,10 +101,13 @@ private:
   template <typename Use>
   void for_surface_rows(const Use& use) const;
 
-  VolumeGrid body_;
+  VolumeGrid body_; ///< own layers
+  int all_layers_;
   Elastic elastic_;
+  halfspace::HalfSpace::Ranks ranks_;
+  Share share_;
   Columns columns_{0, 0};
-  VolumeGrid cells_;                                       ///< grid of the window
+  VolumeGrid cells_;                                       ///< grid of the window, own layers
   int layers_ = 0;                                         ///< number of layers whose stress is computed
   std::unique_ptr<Part> part_;                             ///< of the longest length so far, made when first used
   std::vector<double> requests_;                           ///< see `requests`

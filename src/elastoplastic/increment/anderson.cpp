@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace brinell::elastoplastic
@@ -44,10 +45,46 @@ struct Products
   }
 };
 
+/// Sum of part(first, last) over the pieces of all ranks in their order.
+/// @param size   number of own unknowns
+/// @param known  number of differences
+template <typename Part>
+Products sum_of_all_pieces(const Communicator& ranks, std::size_t size, std::size_t known, const Part& part)
+{
+  constexpr std::size_t numbers = 3;
+  const std::size_t pieces = (size + piece_size - 1) / piece_size;
+  std::vector<double> sums(pieces * known * numbers);
+  for_pieces(size,
+             [&](std::size_t first, std::size_t last)
+             {
+               const Products own = part(first, last);
+               double* to = sums.data() + first / piece_size * known * numbers;
+               for (const Products::OfDifference& d : own.of)
+                 for (const double number : {d.newest_flow, d.newest_residual, d.residual})
+                   *to++ = number;
+             });
+  const std::vector<double> all = ranks.joined(sums);
+  const std::vector<std::size_t> counts = ranks.all_counts(pieces);
+  std::vector<std::size_t> next(counts.size());
+  for (std::size_t rank = 1; rank < next.size(); ++rank)
+    next[rank] = next[rank - 1] + counts[rank - 1];
+  Products total{};
+  for (std::size_t piece = 0, rank = 0; piece < std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+       ++piece, rank = (rank + 1) % counts.size())
+  {
+    const double* from = all.data() + next[rank]++ * known * numbers;
+    Products of_piece{std::vector<Products::OfDifference>(known)};
+    for (std::size_t d = 0; d < known; ++d, from += numbers)
+      of_piece.of[d] = {from[0], from[1], from[2]};
+    total += of_piece;
+  }
+  return total;
+}
+
 } // namespace
 
-Anderson::Anderson(int depth)
-    : depth_(static_cast<std::size_t>(std::max(depth, 0))), dg_(depth_), df_(depth_), dy_(depth_),
+Anderson::Anderson(int depth, const Communicator* ranks)
+    : depth_(static_cast<std::size_t>(std::max(depth, 0))), ranks_(ranks), dg_(depth_), df_(depth_), dy_(depth_),
       products_(depth_ * depth_), right_(depth_)
 {
 }
@@ -176,8 +213,9 @@ void Anderson::record(std::span<const double> x, std::span<const double> g, std:
     }
     return sums;
   };
-  Products sums = sum_of_pieces(x.size(), update_piece);
-  if (x.empty())
+  Products sums = ranks_ == nullptr ? sum_of_pieces(x.size(), update_piece)
+                                    : sum_of_all_pieces(*ranks_, x.size(), known, update_piece);
+  if (sums.of.empty())
     sums.of.resize(known);
   for (std::size_t d = 0; d < known; ++d)
   {

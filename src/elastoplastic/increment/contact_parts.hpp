@@ -104,6 +104,8 @@ void recall_friction(ContactParts& contact);
 /// Whether surfaces that may stick would move present pressure and shear over an end of the contact grid, so that their
 /// displacements would be lost, or bring points from beyond the other end under the present pressure, whose gap is not known.
 [[nodiscard]] bool carries_off(const ContactParts& contact, const Placement& placement);
+/// The ranks that solve the contact together.
+[[nodiscard]] const Communicator& ranks_of(const ContactParts& contact);
 /// Columns by which the contact grid moves on the lower and the upper body from the present placement to another one.
 [[nodiscard]] std::array<double, 2> columns_moved(const ContactParts& contact, const Placement& placement);
 /// Shear between the surfaces on the grid of a body.

@@ -170,7 +170,7 @@ double CoupledContact::expansion_work() const
 
 void add_thermal_stress(const ContactParts& c, std::size_t side, CoupledContact::Stress& stress)
 {
-  if (!c.heating)
+  if (!c.heating || stress.trace.empty()) // only one of several ranks receives the stress
     return;
   const BodyView view = c.view(side);
   std::vector<double> deviator(stress.deviator.size()), trace(stress.trace.size());

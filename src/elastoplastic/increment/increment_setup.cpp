@@ -3,6 +3,7 @@
 #include "contact_parts.hpp"
 #include "foundation/require_size.hpp"
 
+#include <algorithm>
 #include <utility>
 
 /// Construction of a coupled contact.
@@ -12,9 +13,12 @@ namespace brinell::elastoplastic
 namespace
 {
 
-std::shared_ptr<const halfspace::HalfSpace> operators(const VolumeGrid& grid, const Elastic& elastic)
+using halfspace::HalfSpace;
+
+std::shared_ptr<const HalfSpace> operators(const VolumeGrid& grid, const Elastic& elastic,
+                                           const HalfSpace::Ranks& ranks)
 {
-  return elastic.is_rigid() ? nullptr : std::make_shared<const halfspace::HalfSpace>(grid, elastic);
+  return elastic.is_rigid() ? nullptr : std::make_shared<const HalfSpace>(grid, elastic, ranks);
 }
 
 std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const Elastic& lower, const Elastic& upper,
@@ -35,11 +39,19 @@ halfspace::Displacements displacements_under(const Interface* interface)
 
 } // namespace
 
+const Communicator& ranks_of(const ContactParts& c)
+{
+  // A rigid body is not shared.
+  const auto shares = [](const Side& side) { return !side.body.ranks().is_alone(); };
+  const auto shared = std::find_if(c.sides.begin(), c.sides.end(), shares);
+  return shared == c.sides.end() ? c.sides.front().body.ranks() : shared->body.ranks();
+}
+
 CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& lower, const VolumeGrid& upper,
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures, double reference,
-                               const Sliding& sliding)
+                               const Sliding& sliding, const std::shared_ptr<const Communicator>& ranks)
     : parts_(make_hidden<ContactParts>(
           Between{},
           halfspace::SurfaceCompliance(contact, contact_modulus(lower_material.elastic, upper_material.elastic),
@@ -78,13 +90,13 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   c.effects =
       make_effects(sliding.effects, c.compliance, lower, upper,
                    contact_modulus(lower_material.elastic, upper_material.elastic), {&lower_material, &upper_material});
-  const auto half_space = operators(lower, lower_material.elastic);
+  const auto half_space = operators(lower, lower_material.elastic, ranks);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),
                              .windows = settings.windows};
   c.sides.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
   if (twin == Twin::none)
-    c.sides.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic),
+    c.sides.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic, ranks),
                                     upper_material, of_body),
                        .place = &Placement::upper,
                        .shear_sign = -1.0});

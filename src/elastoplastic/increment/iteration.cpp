@@ -68,7 +68,8 @@ class Iteration
 {
 public:
   Iteration(ContactParts& contact, const Task& task)
-      : c_(contact), task_(task), strategy_(task.strategy), acceleration_(task.strategy.anderson_depth)
+      : c_(contact), task_(task), strategy_(task.strategy),
+        acceleration_(task.strategy.anderson_depth, ranks_of(contact))
   {
   }
 
@@ -142,7 +143,7 @@ bool Iteration::evaluate()
 
 bool Iteration::has_unknowns() const
 {
-  return std::any_of(c_.sides.begin(), c_.sides.end(), [](const Side& side) { return !side.body.active().empty(); });
+  return std::any_of(c_.sides.begin(), c_.sides.end(), [](const Side& side) { return side.body.active_of_all() > 0; });
 }
 
 /// Whether the last evaluation of all bodies computed this much.
@@ -262,7 +263,7 @@ void on_sides(ContactParts& c, const std::function<void(std::size_t)>& work)
   constexpr int most_threads = 3;
   const int threads = omp_get_max_threads();
   const bool is_even = c.sides.size() == 2 && is_comparable(c.sides[0].body.cost(), c.sides[1].body.cost());
-  if (is_even && threads > 1 && threads <= most_threads && !omp_in_parallel())
+  if (is_even && ranks_of(c).is_alone() && threads > 1 && threads <= most_threads && !omp_in_parallel())
     side_by_side(work);
   else
     for (std::size_t side = 0; side < c.sides.size(); ++side)

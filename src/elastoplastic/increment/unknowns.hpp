@@ -4,9 +4,11 @@
 #include "brinell/elastoplastic/anderson.hpp"
 #include "contact_parts.hpp"
 #include "foundation/sharing.hpp"
+#include "shared_unknowns.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace brinell::elastoplastic
@@ -17,7 +19,10 @@ class Acceleration
 {
 public:
   /// @param depth  0: plain fixed point, q <- g(q)
-  explicit Acceleration(int depth) : depth_(depth), anderson_(depth) {}
+  Acceleration(int depth, const Communicator& ranks)
+      : depth_(depth), shared_(ranks), anderson_(depth, ranks.is_alone() ? nullptr : &ranks)
+  {
+  }
 
   /// Keeps `factor` times as many evaluations from now on, see Anderson::deepen.
   void deepen(int factor, double damping) { anderson_.deepen(factor * depth_, damping); }
@@ -28,6 +33,13 @@ public:
     if (changes_map)
       anderson_.change_map();
     grow(sides);
+    if (!shared_.is_alone())
+    {
+      advance_shared(sides);
+      if (is_near && depth_ > 0)
+        go_further_shared(sides);
+      return;
+    }
     const auto has_all = [this](const auto& places) { return size_ > 0 && places.size() == size_; };
     if (const auto only = std::find_if(places_.begin(), places_.end(), has_all); only != places_.end())
     {
@@ -45,12 +57,18 @@ private:
   void grow(const std::vector<Side>& sides)
   {
     places_.resize(sides.size());
+    cells_.resize(sides.size());
     for (std::size_t part = 0; part < sides.size(); ++part)
     {
-      const std::size_t count = sides[part].body.active().trials().size();
-      while (places_[part].size() < count)
-        places_[part].push_back(size_++);
+      const Body& body = sides[part].body;
+      const std::size_t before = std::exchange(cells_[part], body.active_of_all());
+      for (std::size_t a = places_[part].size() / Deviator::size; a < body.active().size(); ++a)
+        for (std::size_t c = 0; c < Deviator::size; ++c)
+          places_[part].push_back(size_ + (body.place_of_active(a) - before) * Deviator::size + c);
+      size_ += (cells_[part] - before) * Deviator::size;
     }
+    if (!shared_.is_alone())
+      shared_.follow(places_, size_);
   }
   void go_further(std::vector<Side>& sides) const
   {
@@ -99,9 +117,46 @@ private:
     }
   }
 
+  /// Calls use(own unknown, its place among all own ones) for the own unknowns of all bodies.
+  template <typename Use>
+  void for_own(const Use& use) const
+  {
+    std::size_t own = 0;
+    for (std::size_t part = 0; part < places_.size(); ++part)
+      for (std::size_t i = 0; i < places_[part].size(); ++i)
+        use(part, i, own++);
+  }
+  void advance_shared(std::vector<Side>& sides)
+  {
+    std::vector<double> of_cells(shared_.own_unknowns());
+    const auto pass = [&](const auto& values_of, std::vector<double>& in_pieces)
+    {
+      for_own([&](std::size_t part, std::size_t i, std::size_t own)
+              { of_cells[own] = values_of(sides[part].body)[i]; });
+      shared_.to_pieces(of_cells, in_pieces);
+    };
+    pass([](const Body& body) -> const std::vector<double>& { return body.active().trials(); }, x_);
+    pass([](const Body& body) -> const std::vector<double>& { return body.active().mapped(); }, g_);
+    pass([](const Body& body) -> const std::vector<double>& { return body.active().flow(); }, y_);
+    anderson_.advance(x_, g_, y_);
+    shared_.to_cells(x_, of_cells);
+    for_own([&](std::size_t part, std::size_t i, std::size_t own) { sides[part].body.trial()[i] = of_cells[own]; });
+  }
+  void go_further_shared(std::vector<Side>& sides) const
+  {
+    std::vector<double> of_cells(shared_.own_unknowns());
+    shared_.to_cells(anderson_.residual(), of_cells);
+    std::vector<std::vector<double>> residuals(sides.size());
+    for_own([&](std::size_t part, std::size_t, std::size_t own) { residuals[part].push_back(of_cells[own]); });
+    for (std::size_t part = 0; part < sides.size(); ++part)
+      sides[part].body.go_further(residuals[part]);
+  }
+
   int depth_; ///< at first
+  SharedUnknowns shared_;
   Anderson anderson_;
   std::vector<std::vector<std::size_t>> places_; ///< index in the common vectors: [body][its unknown]
+  std::vector<std::size_t> cells_;               ///< active cells of each body, of all ranks
   std::size_t size_ = 0;                         ///< of these vectors
   std::vector<double> x_, g_, y_;                ///< trials, their images and flow
 };

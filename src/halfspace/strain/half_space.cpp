@@ -59,9 +59,9 @@ const Elastic& HalfSpace::elastic() const
   return operators_->stack.substrate;
 }
 
-const Communicator& HalfSpace::ranks() const
+const HalfSpace::Ranks& HalfSpace::shared_ranks() const
 {
-  return *operators_->ranks;
+  return operators_->ranks;
 }
 
 const Share& HalfSpace::share() const

@@ -9,7 +9,7 @@ namespace brinell::halfspace
 namespace
 {
 
-constexpr std::size_t numbers = sizeof(ComplexLanes) / sizeof(double);
+constexpr std::size_t numbers_of_value = sizeof(ComplexLanes) / sizeof(double);
 
 std::size_t sum(const std::vector<std::size_t>& counts)
 {
@@ -42,7 +42,7 @@ Exchange::Exchange(const Communicator& ranks, const Share& share, const Dealt& u
     first += static_cast<std::ptrdiff_t>(own_blocks_.count()) * count * rows;
     const auto values = [&](int of_blocks, int of_planes)
     {
-      return numbers * static_cast<std::size_t>(of_blocks) * static_cast<std::size_t>(of_planes) *
+      return numbers_of_value * static_cast<std::size_t>(of_blocks) * static_cast<std::size_t>(of_planes) *
              static_cast<std::size_t>(rows);
     };
     of_planes_.push_back(values(share.blocks(rank, blocks).count(), own_units_));
@@ -52,12 +52,12 @@ Exchange::Exchange(const Communicator& ranks, const Share& share, const Dealt& u
 
 std::size_t Exchange::size_of_planes() const
 {
-  return sum(of_planes_) / numbers;
+  return sum(of_planes_) / numbers_of_value;
 }
 
 std::size_t Exchange::size_of_blocks() const
 {
-  return sum(of_blocks_) / numbers;
+  return sum(of_blocks_) / numbers_of_value;
 }
 
 std::ptrdiff_t Exchange::place(int unit, int block) const

@@ -74,7 +74,7 @@ public:
   ///                    nonzero rows of both are contiguous
   void rows_forward(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
                     ComplexLanes* out, Scratch& scratch) const;
-  /// The same with the rows of this plane alone.
+  /// Rows of this plane alone, as above.
   /// @param out   of the first block
   /// @param apart  values from one block to the next
   void rows_forward_to(const double* deviators, int number, int layers, const std::array<int, 2>& first_rows,
@@ -91,7 +91,7 @@ public:
     columns_inverse_to(parts, first, second, scratch.rows.data() + static_cast<std::ptrdiff_t>(block) * rows(),
                        scratch);
   }
-  /// The same to the rows of a plane in this block.
+  /// Inverse to the rows of a plane in this block, as above.
   void columns_inverse_to(const Plane& parts, const ComplexLanes* first, const ComplexLanes* second, ComplexLanes* out,
                           Scratch& scratch) const;
   /// Inverse along x: from the rows in the scratch to the independent rows of the parts.
@@ -99,7 +99,7 @@ public:
   {
     rows_inverse_from(parts, scratch.rows.data(), layout(1), deviators, scratch);
   }
-  /// The same from the rows of this plane elsewhere.
+  /// Inverse from rows elsewhere, as above.
   void rows_inverse_from(const Plane& parts, const ComplexLanes* rows_of_plane, const RowFft::Spectra& apart,
                          double* deviators, Scratch& scratch) const;
 

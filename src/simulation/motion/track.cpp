@@ -22,8 +22,7 @@ std::size_t middle(const VolumeGrid& grid, int layer)
 /// Equivalent plastic strain in a layer under x = y = 0; a rigid body has none.
 double strain_in_middle(const elastoplastic::Body& body, int layer)
 {
-  const std::vector<double>& equivalent = body.state().equivalent;
-  return equivalent.empty() ? 0.0 : equivalent[middle(body.grid(), layer)];
+  return body.equivalent_at(middle(body.grid(), layer));
 }
 
 } // namespace
@@ -153,7 +152,7 @@ TrackProfile track_profile(const VolumeGrid& grid, const StepFields::Within& bod
     return profile;
   const TensorField stress = body.stress();
   const std::vector<double> equivalent = body.equivalent_plastic_strain();
-  for (int layer = 0; layer < grid.nz; ++layer)
+  for (int layer = 0; layer < grid.nz && !equivalent.empty(); ++layer) // only one of several ranks receives the fields
   {
     const std::size_t cell = middle(grid, layer);
     profile.depth.push_back((layer + 0.5) * grid.dz);

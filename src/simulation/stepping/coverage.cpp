@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <vector>
 
 namespace brinell::simulation
 {
@@ -18,10 +19,10 @@ namespace
 int plastic_layers(const elastoplastic::Body& body)
 {
   constexpr double counts = 0.01; // share of the largest strain; smaller ones are the rim of every plastic zone
-  const std::span<const double> largest = body.plastic_zone().largest_of_layers();
+  const std::vector<double> largest = body.largest_of_layers();
   if (largest.empty())
     return 0;
-  const double limit = counts * body.plastic_zone().largest();
+  const double limit = counts * *std::max_element(largest.begin(), largest.end());
   const auto holds = [limit](double value) { return value > limit; };
   const auto first = std::find_if(largest.begin(), largest.end(), holds);
   const auto last = std::find_if(largest.rbegin(), largest.rend(), holds);

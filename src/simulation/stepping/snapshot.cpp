@@ -67,8 +67,12 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
     return {};
   return {.equivalent_plastic_strain = [body] { return body.field(&BodyState::equivalent); },
           .temperature = std::move(temperature),
-          .plastic_strain = [body]
-          { return six_fields(body.field(&BodyState::plastic_strain), std::vector<double>(body.grid().size())); },
+          .plastic_strain =
+              [body]
+          {
+            const std::vector<double> strain = body.field(&BodyState::plastic_strain);
+            return six_fields(strain, std::vector<double>(strain.size() / Deviator::size));
+          },
           .stress =
               [stress]
           {

@@ -108,7 +108,7 @@ void Stepper::fill(StepRecord& r) const
   r.max_residual_lower = largest(lower.residual_displacement);
   r.max_residual_upper = largest(upper.residual_displacement);
   r.max_equivalent_plastic_strain =
-      std::max(pair_->lower().solved().plastic_zone().largest(), pair_->upper().solved().plastic_zone().largest());
+      std::max(pair_->lower().solved().largest_strain(), pair_->upper().solved().largest_strain());
   r.coverage = coverage_;
   for (const std::unique_ptr<elastoplastic::Effect>& effect : pair_->effects())
     effect->report(r);
