@@ -124,13 +124,15 @@ int python_command(const std::string& name)
                 exit_input);
 }
 
-int run_chosen(const CLI::App& app, const Arguments& arguments)
+int run_chosen(const CLI::App& app, const Arguments& arguments, const std::shared_ptr<const Communicator>& ranks)
 {
   const std::string name = app.get_subcommands().front()->get_name();
+  if (name != "run" && ranks->rank() > 0)
+    return exit_ok; // the first rank does it
   if (is_python_command(name))
     return python_command(name);
   if (name == "run")
-    return run_command(arguments.run);
+    return run_command(arguments.run, ranks);
   if (name == "check")
     return check_command(arguments.check);
   if (name == "schema")
@@ -140,7 +142,7 @@ int run_chosen(const CLI::App& app, const Arguments& arguments)
 
 } // namespace
 
-int command_line(std::vector<std::string> words)
+int command_line(std::vector<std::string> words, const std::shared_ptr<const Communicator>& ranks)
 {
   const auto require_processor = []
   {
@@ -179,7 +181,7 @@ int command_line(std::vector<std::string> words)
   {
     return parsing_ended(app, error);
   }
-  return guarded([&] { return run_chosen(app, arguments); });
+  return guarded([&] { return run_chosen(app, arguments, ranks); });
 }
 
 } // namespace brinell::app

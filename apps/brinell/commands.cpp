@@ -74,10 +74,12 @@ void print_forecast(const io::Case& c, const io::ScenarioPlan& plan)
 
 } // namespace
 
-int run_command(const RunArguments& arguments)
+int run_command(const RunArguments& arguments, const std::shared_ptr<const Communicator>& ranks)
 {
   const io::Case c = case_of(arguments);
-  const io::ScenarioPlan plan = io::plan_case(c); // throws before anything is written if the case cannot be computed
+  require_shareable(c, *ranks);
+  const io::ScenarioPlan plan =
+      io::plan_case(c, memory_of_machines(*ranks)); // throws before anything is written if the case cannot be computed
   std::vector<io::Warning> printed = c.warnings;
   for (io::Warning& warning : io::result_warnings(c, plan))
     printed.push_back(std::move(warning));
@@ -89,7 +91,7 @@ int run_command(const RunArguments& arguments)
                            arguments.resume ? Mode::resume
                            : arguments.keep ? Mode::keep
                                             : Mode::replace,
-                           arguments.threads};
+                           arguments.threads, ranks};
   const std::string folder = options.folder.string();
   const InterruptGuard guard;
   std::optional<Progress> progress;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/communicator.hpp"
 #include <optional>
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,7 +54,8 @@ struct CiteArguments
 };
 
 /// Each returns the exit code and throws the errors of brinell.
-[[nodiscard]] int run_command(const RunArguments& arguments);
+/// @param ranks  that compute the case together
+[[nodiscard]] int run_command(const RunArguments& arguments, const std::shared_ptr<const Communicator>& ranks);
 [[nodiscard]] int check_command(const CaseArguments& arguments);
 [[nodiscard]] int schema_command(const SchemaArguments& arguments);
 [[nodiscard]] int new_command(const NewArguments& arguments);

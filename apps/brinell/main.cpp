@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.hpp"
+#include "session.hpp"
 
 #include <csignal>
 #include <cstdlib>
@@ -47,5 +48,6 @@ int main(int argc, char** argv)
   set_thread_waiting(argv);
   keep_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN); // a file larger than `ulimit -f` is then reported as an error of writing
-  return brinell::app::command_line({argv + 1, argv + argc});
+  brinell::app::Session session;
+  return session.end(brinell::app::command_line({argv + 1, argv + argc}, session.ranks()));
 }

@@ -10,12 +10,18 @@
 #include "brinell/io/summary_json.hpp"
 #include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
+#include "following.hpp"
 
+#include <array>
 #include <chrono>
+#include <exception>
 #include <fmt/format.h>
 #include <functional>
+#include <map>
 #include <omp.h>
 #include <optional>
+#include <string>
+#include <unistd.h>
 #include <utility>
 
 namespace brinell::app
@@ -35,11 +41,12 @@ double seconds_since(Clock::time_point start)
 class Stop
 {
 public:
-  explicit Stop(const std::function<bool()>& wanted) : wanted_(wanted) {}
+  /// @param ranks  which stop together: all of them ask at the same places
+  Stop(const std::function<bool()>& wanted, const Communicator& ranks) : wanted_(wanted), ranks_(ranks) {}
 
   [[nodiscard]] bool after_step()
   {
-    if (!is_wanted_ && wanted_ && wanted_())
+    if (!is_wanted_ && ranks_.any(wanted_ && wanted_()))
     {
       is_wanted_ = true;
       since_ = Clock::now();
@@ -49,11 +56,12 @@ public:
   [[nodiscard]] bool at_once()
   {
     constexpr double grace = 2.0; // [s]
-    return after_step() && seconds_since(since_) > grace;
+    return after_step() && ranks_.any(seconds_since(since_) > grace);
   }
 
 private:
   const std::function<bool()>& wanted_;
+  const Communicator& ranks_;
   bool is_wanted_ = false;
   Clock::time_point since_;
 };
@@ -75,22 +83,25 @@ std::string report_text(const io::Case& c, const io::ScenarioPlan& plan, const S
 }
 
 /// Runs one scenario, writes its steps and finishes the results.
-/// @param Results  io::ResultDirectory or io::ResultImage
+/// @param Results  io::ResultDirectory, FollowingResults or io::ResultImage
+/// @param ranks    nullptr: this process alone
 template <typename ScenarioCase, typename Results>
 LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::ScenarioPlan& any_plan,
-                     Results& results, const RunMonitor& monitor, const LevelsBefore& before)
+                     Results& results, const RunMonitor& monitor, const LevelsBefore& before,
+                     std::optional<Archive::Fields> checkpoint, const std::shared_ptr<const Communicator>& ranks)
 {
   const auto& plan = std::get<typename ScenarioCase::Plan>(any_plan);
   using Record = typename ScenarioCase::Record;
   const auto start = Clock::now();
   io::SnapshotChoice choice(c.snapshots);
-  std::optional<Archive::Fields> checkpoint = results.take_checkpoint();
   if (checkpoint)
   {
     Archive archive(*checkpoint);
     archive("snapshot_choice", choice);
   }
-  Stop stop(monitor.wants_stop);
+  const Communicator alone;
+  const Communicator& all_ranks = ranks ? *ranks : alone;
+  Stop stop(monitor.wants_stop, all_ranks);
   auto checkpoint_time = start;
   simulation::Observer<Record> observer;
   observer.on_step = [&](const Record& record, int step_count)
@@ -114,7 +125,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::
   };
   observer.wants_checkpoint = [&](const Record&)
   {
-    return stop.after_step() || (Results::keeps_checkpoints && seconds_since(checkpoint_time) >= c.checkpoint_interval);
+    return stop.after_step() ||
+           (Results::keeps_checkpoints && all_ranks.any(seconds_since(checkpoint_time) >= c.checkpoint_interval));
   };
   observer.on_checkpoint = [&](const Record&, const std::function<void(Archive&)>& state)
   {
@@ -129,7 +141,8 @@ LevelReport simulate(const ScenarioCase& scenario, const io::Case& c, const io::
       throw Interrupted();
   };
   observer.wants_stop = [&] { return stop.at_once(); };
-  observer.available_memory = io::machine_memory();
+  observer.available_memory = memory_of_machines(all_ranks);
+  observer.ranks = ranks;
   observer.on_grid_change = [&](const simulation::GridChange& change)
   {
     if (monitor.on_remark)
@@ -191,9 +204,93 @@ LevelReport run_level(const io::Case& c, const io::ScenarioPlan& plan, const std
   io::ResultDirectory results(folder, c, io::stored_parts(c, plan), mode);
   if (monitor.on_start)
     monitor.on_start(results.replaced(), results.finished_steps());
-  return std::visit([&](const auto& scenario) { return simulate(scenario, c, plan, results, monitor, before); },
-                    c.scenario);
+  return std::visit(
+      [&](const auto& scenario)
+      { return simulate(scenario, c, plan, results, monitor, before, results.take_checkpoint(), nullptr); },
+      c.scenario);
 }
+
+double memory_of_machines(const Communicator& ranks)
+{
+  const double own = io::machine_memory();
+  if (ranks.is_alone())
+    return own;
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  constexpr std::size_t exact = std::size_t{1} << 53U; // as a double
+  std::map<double, double> of_machines;
+  const std::vector<double> names =
+                                ranks.all_values(static_cast<double>(std::hash<std::string>{}(name.data()) % exact)),
+                            memories = ranks.all_values(own);
+  for (std::size_t rank = 0; rank < names.size(); ++rank)
+    of_machines.try_emplace(names[rank], memories[rank]);
+  double sum = 0.0;
+  for (const auto& [machine, memory] : of_machines)
+    sum += memory;
+  return sum;
+}
+
+void require_shareable(const io::Case& c, const Communicator& ranks)
+{
+  if (ranks.is_alone())
+    return;
+  std::string key;
+  if (!c.output.points.empty())
+    key = "output.points";
+  if (c.accuracy)
+    key = "solver.accuracy";
+  for (const auto& [name, value] : c.values.all())
+    if (name.find("fatigue") != std::string::npos)
+      key = name;
+  if (!key.empty())
+    throw InputError(
+        fmt::format("{}: {} is not available where {} processes compute a case together; allowed: one process",
+                    c.file.string(), key, ranks.size()));
+}
+
+namespace
+{
+
+/// Runs a case that ranks compute together. The first one opens the folder; if it cannot, no other one begins.
+RunReport run_shared(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options,
+                     const RunMonitor& monitor)
+{
+  const Communicator& ranks = *options.ranks;
+  const bool writes = ranks.rank() == 0;
+  const io::StoredParts parts = io::stored_parts(c, plan);
+  std::optional<io::ResultDirectory> directory;
+  std::exception_ptr failure;
+  try
+  {
+    if (writes)
+      directory.emplace(options.folder, c, parts, options.mode);
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  const bool has_failed = ranks.any(failure != nullptr);
+  if (failure)
+    std::rethrow_exception(failure);
+  if (has_failed)
+    throw InputError("the first rank cannot write its results");
+  const std::optional<Archive::Fields> checkpoint =
+      for_all(ranks, directory ? directory->take_checkpoint() : std::nullopt);
+  if (monitor.on_start)
+    monitor.on_start(directory && directory->replaced(), directory ? directory->finished_steps() : 0);
+  const auto run = [&](auto& results)
+  {
+    return std::visit([&](const auto& scenario)
+                      { return simulate(scenario, c, plan, results, monitor, {}, checkpoint, options.ranks).report; },
+                      c.scenario);
+  };
+  if (directory)
+    return run(*directory);
+  FollowingResults following(parts);
+  return run(following);
+}
+
+} // namespace
 
 std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor)
 {
@@ -203,7 +300,9 @@ std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& moni
   const Threads guard(threads);
   const io::ScenarioPlan plan = io::plan_case(c);
   io::ResultImage results(c, io::stored_parts(c, plan));
-  std::visit([&](const auto& scenario) { (void)simulate(scenario, c, plan, results, monitor, {}); }, c.scenario);
+  std::visit([&](const auto& scenario)
+             { (void)simulate(scenario, c, plan, results, monitor, {}, std::nullopt, nullptr); },
+             c.scenario);
   return std::move(results).bytes();
 }
 
@@ -211,6 +310,8 @@ RunReport run_case(const io::Case& c, const io::ScenarioPlan& plan, const RunOpt
                    const RunMonitor& monitor)
 {
   const Threads threads(options.threads);
+  if (options.ranks && !options.ranks->is_alone())
+    return run_shared(c, plan, options, monitor);
   return c.accuracy ? run_series(c, plan, options, monitor)
                     : run_level(c, plan, options.folder, options.mode, monitor, {}).report;
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/communicator.hpp"
 #include "brinell/io/feasibility.hpp"
 #include "brinell/io/result_directory.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,7 +46,14 @@ struct RunOptions
   std::filesystem::path folder; ///< of the results
   io::ResultDirectory::Mode mode = io::ResultDirectory::Mode::replace;
   int threads = 0; ///< 0: as OpenMP decides
+  /// That compute the case together; nullptr: this process alone. The first one writes the results.
+  std::shared_ptr<const Communicator> ranks{};
 };
+
+/// Memory of the machines on which the ranks are [bytes].
+[[nodiscard]] double memory_of_machines(const Communicator& ranks);
+/// @throws InputError if several ranks cannot compute the case
+void require_shareable(const io::Case& c, const Communicator& ranks);
 
 /// Default folder of the results of a case.
 [[nodiscard]] std::filesystem::path default_folder(const io::Case& c);

@@ -29,6 +29,8 @@ class ResultDirectory
 {
 public:
   static constexpr bool keeps_checkpoints = true;
+  static constexpr int passes_of_checkpoint =
+      2; ///< how often `add_checkpoint` asks for the state: for its size, and to write it
 
   enum class Mode
   {
@@ -78,5 +80,11 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Computes the fields that a result stores, in the order in which it stores them, and drops them: what ranks that share bodies
+/// do while the first of them writes.
+/// @param words  those of `parts` for this state
+void compute_fields(const simulation::StepFields& fields, const std::vector<std::string>& words,
+                    const StoredParts& parts);
 
 } // namespace brinell::io

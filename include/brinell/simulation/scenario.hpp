@@ -5,6 +5,7 @@
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/increment.hpp"
 #include "brinell/foundation/archive.hpp"
+#include "brinell/foundation/communicator.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/grid.hpp"
 #include "brinell/simulation/fatigue.hpp"
@@ -15,6 +16,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -306,6 +308,9 @@ struct Watch
   /// Asked before each evaluation of a step and while the contact is solved; if the answer is true, the run ends with
   /// `Interrupted`, without a checkpoint of its own.
   std::function<bool()> wants_stop{};
+  /// That compute the case together, each with its part of the bodies (docs/theory/ranks.md); nullptr: this process alone. All of
+  /// them must do the same at the same time, so the answer of `wants_stop` must be the same.
+  std::shared_ptr<const Communicator> ranks{};
 };
 
 /// Callbacks of a whole run. Empty functions are skipped; the functions below are called after each step in this order, those of

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/io/citations.hpp"
+#include "brinell/io/result_directory.hpp"
 #include "brinell/io/result_image.hpp"
 #include "brinell/io/versions.hpp"
 #include "earlier_result.hpp"
@@ -128,6 +129,18 @@ void write_within(const h5::Handle& group, const StepFields::Within& within, std
     write("von_mises_stress", von_mises_field(stress), "Pa", "von Mises stress", plain);
 }
 
+void compute_within(const StepFields::Within& within)
+{
+  if (within.equivalent_plastic_strain)
+    static_cast<void>(within.equivalent_plastic_strain());
+  if (within.temperature)
+    static_cast<void>(within.temperature());
+  if (within.plastic_strain)
+    static_cast<void>(within.plastic_strain());
+  if (within.stress)
+    static_cast<void>(within.stress());
+}
+
 /// Writes the fields of fatigue, which a twin has of its own.
 void write_fatigue(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
                    const Form& form)
@@ -245,6 +258,14 @@ std::string group_of_step(int step)
 }
 
 } // namespace
+
+void compute_fields(const StepFields& fields, const std::vector<std::string>& words, const StoredParts& parts)
+{
+  const StepFields chosen = chosen_fields(fields, words, parts);
+  compute_within(chosen.lower);
+  if (!chosen.are_alike)
+    compute_within(chosen.upper);
+}
 
 Description::Description(const Case& c)
     : case_text(resolved_text(c.values)), sources(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),
