@@ -73,3 +73,5 @@ def test_what_layers_cannot_do_is_refused():
             Layer(thickness, COAT)
     with pytest.raises(InputError, match="rigid"):
         Layer(1e-6, RIGID)
+    with pytest.raises(InputError, match="thickness of 2.5e-07 m at least"):
+        SurfaceCompliance(GRID, BASE, RIGID, lower_layers=[Layer(0.2e-6, COAT)])

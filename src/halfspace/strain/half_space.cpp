@@ -5,6 +5,7 @@
 #include "foundation/fft.hpp"
 #include "foundation/sharing.hpp"
 #include "half_space_operators.hpp"
+#include "halfspace/traction/stack_cells.hpp"
 #include "halfspace/transform/require_surface.hpp"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, Ranks ranks
 HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack)
     : operators_(std::make_unique<Operators>(grid, stack, 0.0, nullptr))
 {
+  require_resolved(grid.surface, stack);
 }
 
 namespace

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stack_cells.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "foundation/fft.hpp"
 #include "radial_table.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace brinell::halfspace
 {
@@ -124,6 +128,19 @@ double normal_compliance(const Elastic& body)
 }
 
 } // namespace
+
+void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack)
+{
+  if (stack.is_homogeneous() || grid.is_periodic())
+    return;
+  constexpr double least = 0.25; // of a cell
+  const bool is_row = grid.ny == 1 && grid.is_periodic_y(), is_column = grid.nx == 1 && grid.is_periodic_x();
+  const double cell = is_row ? grid.dx : is_column ? grid.dy : std::max(grid.dx, grid.dy);
+  if (const double thickness = stack.layers.front().thickness; thickness < least * cell)
+    throw InputError(fmt::format("the first layer is {:.4g} m thick on cells of {:.4g} m along the surface; allowed: a "
+                                 "thickness of {:.4g} m at least, or smaller cells",
+                                 thickness, cell, least * cell));
+}
 
 Quadrant<double> excess_displacement(const SurfaceGrid& surface, const ElasticStack& stack, double reference)
 {

@@ -16,6 +16,11 @@
 namespace brinell::halfspace
 {
 
+/// Checks that the cells represent the first layer. A layer of a quarter of a cell leaves e^{-14} of the waves shorter than
+/// those that are summed. Waves of a surface that is periodic along both axes represent any layer.
+/// @throws InputError if the first layer is thinner
+void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack);
+
 /// Level e^{-kH} + rising k H e^{-kH}: the closed forms of long waves.
 struct LongWaves
 {

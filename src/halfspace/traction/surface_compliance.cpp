@@ -227,6 +227,8 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack
     : SurfaceCompliance(make_hidden<Operator>(grid, contact_modulus(body1.top(), body2.top()), std::nullopt, reference,
                                               layered(body1, body2)))
 {
+  for (const ElasticStack& stack : operator_->stacks)
+    require_resolved(grid, stack);
 }
 
 const SurfaceGrid& SurfaceCompliance::grid() const

@@ -216,6 +216,10 @@ TEST(StackCellsTest, WhatLayersCannotDoIsRefused)
   EXPECT_THROW((void)body.load(strain, grid.nz, work), InternalError);
   EXPECT_THROW(SurfaceCompliance(grid.surface, soft_on_hard, soft_on_hard).apply({.shear_x = shear}, {.x = u}),
                InternalError);
+  const SurfaceGrid coarse{4, 4, 4.1, 1.0}, periodic{4, 4, 4.1, 1.0, Boundary::periodic, Boundary::periodic};
+  EXPECT_THROW(SurfaceCompliance(coarse, soft_on_hard, soft_on_hard), InputError);
+  EXPECT_THROW(HalfSpace({coarse, 1, 1.0}, soft_on_hard), InputError);
+  EXPECT_NO_THROW(SurfaceCompliance(periodic, soft_on_hard, soft_on_hard));
 }
 
 } // namespace
