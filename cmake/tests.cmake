@@ -59,6 +59,11 @@ file(GLOB cli_tests CONFIGURE_DEPENDS tests/cli/*_test.cpp)
 brinell_add_tests(verification verification 1800 ${verification_tests})
 brinell_add_tests(regression regression 1800 ${regression_tests})
 brinell_add_tests(cli cli 600 ${cli_tests})
+if(BRINELL_MPI)
+  file(GLOB mpi_tests CONFIGURE_DEPENDS tests/mpi/*_test.cpp)
+  brinell_add_tests(mpi mpi 600 ${mpi_tests})
+  add_dependencies(brinell_mpi_tests brinell_program)
+endif()
 # What takes long has a label and begins first. Read by CTest after the tests of the executables, which it finds as it runs.
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/cmake/long_tests.cmake)
 # These run the program. The others can be built without it.

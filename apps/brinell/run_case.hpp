@@ -46,7 +46,7 @@ struct RunOptions
   std::filesystem::path folder; ///< of the results
   io::ResultDirectory::Mode mode = io::ResultDirectory::Mode::replace;
   int threads = 0; ///< 0: as OpenMP decides
-  /// That compute the case together; nullptr: this process alone. The first one writes the results.
+  /// Processes that compute the case together; nullptr: this process alone. The first one writes the results.
   std::shared_ptr<const Communicator> ranks{};
 };
 

@@ -308,7 +308,7 @@ struct Watch
   /// Asked before each evaluation of a step and while the contact is solved; if the answer is true, the run ends with
   /// `Interrupted`, without a checkpoint of its own.
   std::function<bool()> wants_stop{};
-  /// That compute the case together, each with its part of the bodies (docs/theory/ranks.md); nullptr: this process alone. All of
+  /// Processes that compute the case together, each with its part of the bodies (docs/theory/ranks.md); nullptr: this process alone. All of
   /// them must do the same at the same time, so the answer of `wants_stop` must be the same.
   std::shared_ptr<const Communicator> ranks{};
 };

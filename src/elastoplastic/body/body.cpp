@@ -50,7 +50,7 @@ void exchange_field(Archive& archive, const BodyParts& b, const std::string& nam
   own_field = own_layers(b, whole);
 }
 
-/// The same for a field that may be empty.
+/// Counterpart of exchange_field for a field that may be empty.
 void exchange_list(Archive& archive, const BodyParts& b, const std::string& name, std::vector<double>& own_field)
 {
   std::vector<double> whole = archive.gives() ? std::vector<double>() : gathered(b, own_field);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-/// What the ranks that share a body pass to each other, besides what the half space passes: docs/theory/ranks.md.
+/// Numbers that the ranks that share a body pass to each other, besides what the half space passes: docs/theory/ranks.md.
 namespace brinell::elastoplastic
 {
 
@@ -25,7 +25,7 @@ std::vector<double> by_layers(const BodyParts& b, std::span<const double> of_own
   return values;
 }
 
-/// Sum over one piece after the other.
+/// Sum of copies times dissipation, cell by cell.
 double sum_with_dissipation(std::span<const double> copies, std::span<const double> dissipation, double sum,
                             double volume)
 {

@@ -33,7 +33,7 @@ void SharedUnknowns::follow(const std::vector<std::vector<std::size_t>>& places,
     sent_places.insert(sent_places.end(), to[rank].begin(), to[rank].end());
     sent_.push_back(to[rank].size());
   }
-  // What each rank sends to each other one.
+  // Numbers from each rank to each other one.
   const std::vector<double> table = ranks_.joined(std::vector<double>(sent_.begin(), sent_.end()));
   received_.clear();
   for (std::size_t rank = 0; rank < ranks; ++rank)
