@@ -47,8 +47,8 @@ OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTract
   OfTraction<const TractionStress*> result{};
   for (const Traction traction : tractions)
     if (wanted[index(traction)])
-      result[index(traction)] = &kernels_[index(traction)].get(
-          [&] { return TractionStress(grid, stack, surface_fft, traction, blocks); });
+      result[index(traction)] =
+          &kernels_[index(traction)].get([&] { return TractionStress(grid, stack, surface_fft, traction, blocks); });
   return result;
 }
 

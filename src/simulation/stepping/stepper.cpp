@@ -143,8 +143,8 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
       value = -value; // heights point out of the body
   auto pair = std::make_unique<CoupledContact>(
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
-      elastoplastic::Textures{on_lower(setup_.lower_texture), on_upper(setup_.upper_texture)}, plan_.reference,
-      sliding, setup_.watch.ranks);
+      elastoplastic::Textures{on_lower(setup_.lower_texture), on_upper(setup_.upper_texture)}, plan_.reference, sliding,
+      setup_.watch.ranks);
   for (std::size_t side = 0; side < 2; ++side)
     if (setup_.follows_stress[side])
       pair->keep_trace(side);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Softening around a spot through which current flows, against the potential of a disc.
 #include "brinell/contact/constriction.hpp"
+#include "brinell/foundation/error.hpp"
 #include "elastoplastic/interface/spot_softening.hpp"
 
 #include <gtest/gtest.h>

@@ -37,7 +37,7 @@ double top_of(const ElasticStack& stack, std::size_t layer)
   return top;
 }
 
-TEST(StackTest, IsTheOracle)
+TEST(Stack, IsTheOracle)
 {
   const test::OracleTable oracle("stack_oracle.csv");
   for (std::size_t row = 0; row < oracle.size(); ++row)
@@ -73,7 +73,7 @@ TEST(StackTest, IsTheOracle)
   }
 }
 
-TEST(StackTest, OfOneMaterialIsTheHalfSpace)
+TEST(Stack, OfOneMaterialIsTheHalfSpace)
 {
   const Elastic steel{210e9, 0.3};
   const ElasticStack layered{{{1e-6, steel}, {3e-6, steel}}, steel}, whole{{}, steel};
@@ -98,7 +98,7 @@ TEST(StackTest, OfOneMaterialIsTheHalfSpace)
   }
 }
 
-TEST(StackTest, WavesOfAHalfSpaceAreThoseOfTheClosedForm)
+TEST(Stack, WavesOfAHalfSpaceAreThoseOfTheClosedForm)
 {
   // Johnson 1985, section 13.2: see halfspace/traction/traction_stress.cpp.
   const StackWave wave({{}, {1.0, 0.3}}, 2.0);
@@ -118,7 +118,7 @@ TEST(StackTest, WavesOfAHalfSpaceAreThoseOfTheClosedForm)
   EXPECT_NEAR(t.tz, -e, 1e-15);
 }
 
-TEST(StackTest, IsContinuousAtInterfacesAndLoadedAtTheSurface)
+TEST(Stack, IsContinuousAtInterfacesAndLoadedAtTheSurface)
 {
   for (const auto& [name, stack] : stacks())
     for (const double k : {1e-4, 0.03, 1.0, 7.0, 60.0})
@@ -151,7 +151,7 @@ TEST(StackTest, IsContinuousAtInterfacesAndLoadedAtTheSurface)
       }
 }
 
-TEST(StackTest, IsReciprocalAndStoresEnergy)
+TEST(Stack, IsReciprocalAndStoresEnergy)
 {
   for (const auto& [name, stack] : stacks())
     for (const double k : {1e-3, 0.2, 1.0, 5.0, 100.0})
@@ -168,7 +168,7 @@ TEST(StackTest, IsReciprocalAndStoresEnergy)
     }
 }
 
-TEST(StackTest, HasTheLimitsOfThickAndThinLayers)
+TEST(Stack, HasTheLimitsOfThickAndThinLayers)
 {
   const Elastic coat{4.0, 0.2}, body{1.0, 0.3};
   const auto normal = [&](double thickness, double k) {
@@ -187,7 +187,7 @@ TEST(StackTest, HasTheLimitsOfThickAndThinLayers)
               1e-4 * (1.0 - 2.0 * 0.2) / (2.0 * coat.shear_modulus() * (1.0 - 0.2)), 1e-11);
 }
 
-TEST(StackTest, DividedLayersAreTheSameBody)
+TEST(Stack, DividedLayersAreTheSameBody)
 {
   const Elastic coat{4.0, 0.2}, body{1.0, 0.3};
   const ElasticStack one{{{1.0, coat}}, body};
@@ -198,7 +198,7 @@ TEST(StackTest, DividedLayersAreTheSameBody)
     EXPECT_NEAR(StackWave(many, k).compliance().normal / StackWave(one, k).compliance().normal, 1.0, 1e-12);
 }
 
-TEST(StackTest, MeanStressIsTheIntegral)
+TEST(Stack, MeanStressIsTheIntegral)
 {
   const ElasticStack& stack = stacks().at("three_layers");
   const StackWave wave(stack, 2.0);
@@ -223,7 +223,7 @@ TEST(StackTest, MeanStressIsTheIntegral)
   }
 }
 
-TEST(StackTest, RefusesWhatIsNoStack)
+TEST(Stack, RefusesWhatIsNoStack)
 {
   const Elastic steel{210e9, 0.3};
   EXPECT_THROW(StackWave({{{0.0, steel}}, steel}, 1.0), InputError);

@@ -52,7 +52,7 @@ double over_cell(double x, double y, double dx, double dy, const Function& f)
   return sum * dx * dy;
 }
 
-TEST(StackCellsTest, ExcessDisplacementIsTheLayeredIntegral)
+TEST(StackCells, ExcessDisplacementIsTheLayeredIntegral)
 {
   for (const auto& [stack, cell] : {std::pair{soft_on_hard, 0.25},
                                     {hard_on_soft, 0.25},
@@ -77,7 +77,7 @@ TEST(StackCellsTest, ExcessDisplacementIsTheLayeredIntegral)
   }
 }
 
-TEST(StackCellsTest, ExcessOfASmallGridIsThatOfAWideOne)
+TEST(StackCells, ExcessOfASmallGridIsThatOfAWideOne)
 {
   for (const ElasticStack& stack : {soft_on_hard, hard_on_soft, two_layers})
   {
@@ -105,7 +105,7 @@ TEST(StackCellsTest, ExcessOfASmallGridIsThatOfAWideOne)
   }
 }
 
-TEST(StackCellsTest, StressAcrossTheSurfaceIsTheLayeredIntegral)
+TEST(StackCells, StressAcrossTheSurfaceIsTheLayeredIntegral)
 {
   const VolumeGrid grid{{16, 16, 0.5, 0.5}, 4, 0.5};
   for (const ElasticStack& stack : {soft_on_hard, hard_on_soft})
@@ -136,7 +136,7 @@ TEST(StackCellsTest, StressAcrossTheSurfaceIsTheLayeredIntegral)
   }
 }
 
-TEST(StackCellsTest, LayersOfOneMaterialHaveNoExcess)
+TEST(StackCells, LayersOfOneMaterialHaveNoExcess)
 {
   const Elastic steel{1.0, 0.3};
   const ElasticStack same{{{0.5, steel}, {1.0, steel}}, steel};
@@ -150,7 +150,7 @@ TEST(StackCellsTest, LayersOfOneMaterialHaveNoExcess)
           EXPECT_NEAR(component, 0.0, 1e-9); // a slope at long waves, by differences
 }
 
-TEST(StackCellsTest, PeriodicBodiesHaveTheWavesOfTheStack)
+TEST(StackCells, PeriodicBodiesHaveTheWavesOfTheStack)
 {
   const SurfaceGrid grid{16, 8, 0.25, 0.5, Boundary::periodic, Boundary::periodic};
   const SurfaceCompliance pair(grid, hard_on_soft, {{}, {3.0, 0.25}});
@@ -168,7 +168,7 @@ TEST(StackCellsTest, PeriodicBodiesHaveTheWavesOfTheStack)
       EXPECT_NEAR(u[grid.index(i, j)], expected * wave(i, j), 1e-13);
 }
 
-TEST(StackCellsTest, IsSymmetricAndPositive)
+TEST(StackCells, IsSymmetricAndPositive)
 {
   const SurfaceGrid grid{20, 14, 0.3, 0.4};
   const SurfaceCompliance pair(grid, soft_on_hard, two_layers);
@@ -187,7 +187,7 @@ TEST(StackCellsTest, IsSymmetricAndPositive)
   EXPECT_GT(pp, 0.0);
 }
 
-TEST(StackCellsTest, StressUnderALoadIsThatOfACloseNeighbourInTheLimit)
+TEST(StackCells, StressUnderALoadIsThatOfACloseNeighbourInTheLimit)
 {
   // A layer much thicker than the grid is deep is a half space of its own.
   const VolumeGrid grid{{10, 8, 1.0, 1.0}, 5, 1.0};
@@ -205,7 +205,7 @@ TEST(StackCellsTest, StressUnderALoadIsThatOfACloseNeighbourInTheLimit)
   }
 }
 
-TEST(StackCellsTest, WhatLayersCannotDoIsRefused)
+TEST(StackCells, WhatLayersCannotDoIsRefused)
 {
   const VolumeGrid grid{{4, 4, 1.0, 1.0}, 2, 1.0};
   const HalfSpace body(grid, soft_on_hard);
