@@ -37,6 +37,7 @@ def test_runs_are_compared_side_by_side(page: Page) -> None:
     page.click("#run")
     page.finished(2)
     page.wait("document.getElementById('curve').data.length === 2")
+    page.wait("document.getElementById('curve').data.every((one) => one.x.length === 40)")  # all steps
     names = page.js("page.shown.map((one) => one.name)")
     for name, (x, y, drawn) in zip(names, page.curves().values(), strict=True):
         history = open_run(page.server.folder / name).history

@@ -244,7 +244,8 @@ def test_no_text_of_a_case_leads_outside_its_folder(templates: dict[str, dict[st
 
 def test_files_of_a_case_are_known() -> None:
     files = {one.key for one in form().values() if one.is_file}
-    assert files == {f"{body}.{key}.file" for body in ("lower", "upper") for key in ("texture", "material.hardening")}
+    tables = ("texture", "film", "material.hardening")
+    assert files == {f"{body}.{table}.file" for body in ("lower", "upper") for table in tables}
 
 
 def test_text_that_is_no_case_is_refused() -> None:

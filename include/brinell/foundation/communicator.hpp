@@ -68,6 +68,7 @@ public:
   {
     const std::vector<double> values = all_values(static_cast<double>(own));
     std::vector<std::size_t> counts;
+    counts.reserve(values.size());
     for (const double value : values)
       counts.push_back(static_cast<std::size_t>(value));
     return counts;

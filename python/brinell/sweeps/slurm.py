@@ -39,8 +39,8 @@ class Slurm:
     """How a sweep is computed by a job array of Slurm.
 
     Attributes:
-        options: options of sbatch that the site needs, as text or words: "--partition=short --time=02:00:00".
-        preamble: lines of the shell in front of the runs, such as "module load python/3.11".
+        options: what the site wants sbatch to be told, as text or words, such as ``--partition=short``.
+        preamble: lines of the shell in front of the runs, such as ``module load python``.
         chunk: number of runs of a task; None: such that there are 200 tasks or fewer.
         at_once: largest number of tasks that compute at a time; None: as Slurm decides.
         wait: wait until all tasks have ended. False: submit, or collect what is done, and return.

@@ -128,6 +128,7 @@ void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift,
   if (b.share.is_all())
     return;
   std::vector<double> added;
+  added.reserve(found.size());
   for (const std::vector<std::size_t>& cells : found)
     added.push_back(static_cast<double>(cells.size()));
   number_active_cells(b, added);

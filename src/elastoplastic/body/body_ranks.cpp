@@ -138,9 +138,10 @@ std::vector<double> gathered(const BodyParts& b, std::span<const double> own_fie
   const int ranks = b.ranks->size();
   const std::size_t own = b.grid.size(), plane = b.grid.surface.size();
   const bool receives = b.ranks->rank() == 0;
-  const std::size_t fields = static_cast<std::size_t>(
+  const auto fields = static_cast<std::size_t>(
       b.ranks->largest(own > 0 ? static_cast<double>(own_field.size()) / static_cast<double>(own) : 0.0));
   std::vector<std::size_t> counts;
+  counts.reserve(static_cast<std::size_t>(ranks));
   for (int rank = 0; rank < ranks; ++rank)
     counts.push_back(static_cast<std::size_t>(b.share.layers().count(rank, b.whole.nz)) * plane);
   std::vector<double> whole(receives ? fields * b.whole.size() : 0), one(receives ? b.whole.size() : 0);

@@ -21,7 +21,8 @@ void SharedUnknowns::follow(const std::vector<std::vector<std::size_t>>& places,
     for (const std::size_t place : of_body)
     {
       const std::size_t piece = place / piece_size;
-      to[piece % ranks].push_back(static_cast<double>(piece / ranks * piece_size + place % piece_size));
+      const std::size_t there = piece / ranks * piece_size + place % piece_size;
+      to[piece % ranks].push_back(static_cast<double>(there));
       unknowns[piece % ranks].push_back(own++);
     }
   order_.clear();

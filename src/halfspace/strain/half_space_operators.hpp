@@ -165,7 +165,7 @@ private:
                                Work::Buffers::Scratch& scratch) const;
   /// Passes what all ranks need of the strain: its moments, and the rows of the displacement.
   void join_shared(const OfTraction<const TractionStress*>& kernels, int strained, Work::Buffers& work) const;
-  void join_layers(int layers, std::vector<double>& moments) const;
+  void join_layers(int layers, std::vector<double>& values) const;
   [[nodiscard]] Exchange exchange(const BlockedFft& fft, int layers) const;
   [[nodiscard]] Exchange exchange_mirrored(int layers) const;
   void invert_shared(int component, int layers, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,

@@ -117,11 +117,12 @@ void HalfSpace::Operators::join_shared(const OfTraction<const TractionStress*>& 
   }
   const auto rows = static_cast<std::size_t>(grid.surface.independent_rows());
   std::vector<std::size_t> counts;
+  counts.reserve(static_cast<std::size_t>(share.ranks()));
   for (int rank = 0; rank < share.ranks(); ++rank)
     counts.push_back(numbers * rows * static_cast<std::size_t>(share.blocks(rank, surface_fft.blocks()).count()));
   for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)
   {
-    double* const all = reinterpret_cast<double*>(work.displacement_rows[t].data());
+    auto* const all = reinterpret_cast<double*>(work.displacement_rows[t].data());
     const double* const own_rows = all + numbers * rows * static_cast<std::size_t>(blocks.first);
     const std::vector<double> sent(own_rows, own_rows + counts[static_cast<std::size_t>(share.rank())]);
     ranks->all_gather(sent, counts, {all, numbers * work.displacement_rows[t].size()});

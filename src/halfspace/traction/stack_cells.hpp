@@ -30,7 +30,7 @@ struct LongWaves
 /// Displacement along z by a unit pressure on a cell of a layered body, less that of a homogeneous body of its top material
 /// [m/Pa].
 /// @param reference  as for cell_displacement
-[[nodiscard]] Quadrant<double> excess_displacement(const SurfaceGrid& grid, const ElasticStack& stack,
+[[nodiscard]] Quadrant<double> excess_displacement(const SurfaceGrid& surface, const ElasticStack& stack,
                                                    double reference);
 
 /// Stress under a unit traction on a cell of a layered body, as the mean over a layer of cells, less that of a homogeneous body
