@@ -227,8 +227,8 @@ void HalfSpace::Operators::process_waves(int block, int strained, const OfTracti
   const int end = rows * (team.rank + 1) / team.count;
   for (int first = rows * team.rank / team.count; first < end; first += SpectrumRows::most)
   {
-    const SpectrumRows own{first, std::min(SpectrumRows::most, end - first)};
-    for (const SpectrumRows& tile : {own, is_mirrored() ? SpectrumRows{} : mirrored(own)})
+    const SpectrumRows stored{first, std::min(SpectrumRows::most, end - first)};
+    for (const SpectrumRows& tile : {stored, is_mirrored() ? SpectrumRows{} : mirrored(stored)})
     {
       if (work.layers > 0)
         eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
