@@ -8,6 +8,7 @@ import signal
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -145,6 +146,7 @@ def test_a_slider_that_moves_on_gives_up_its_run(server: Server) -> None:
     with ThreadPoolExecutor(2) as pool:
         first = pool.submit(preview, long_case())
         server.wait_until(lambda: first.running(), "the first run")
+        time.sleep(0.1)  # until the server has its request
         second = pool.submit(preview, VALUES)
         assert "picture" in second.result()[-1]
         assert not any("picture" in line for line in first.result())
