@@ -95,7 +95,8 @@ void warn_of_current(const Facts& facts, const RunTotals& totals, std::vector<Wa
   if (std::isnan(totals.max_contact_temperature))
     warnings.push_back({"no_steady_current",
                         "the current is larger than any that the contact bears in a steady state: it would melt or "
-                        "evaporate, and resistance, voltage and temperature of these steps are not numbers"});
+                        "evaporate. Resistance, temperature, and the voltage or the current that is not given are no "
+                        "numbers in these steps; density and heat are those of the cold contact"});
   warn_of_short_passage(facts, totals, warnings);
   if (totals.softening_error > 0.0)
     warnings.push_back({"unsteady_softening",

@@ -152,6 +152,12 @@ private:
     int spots = 0;
     std::array<std::vector<double>, 2> softening; ///< of the lower and the upper body; empty: none
 
+    /// Heat in a cell [W/m^2]; 0 without a heating voltage, also where the density has no limit.
+    [[nodiscard]] double heat(std::size_t cell) const
+    {
+      return heating_voltage == 0.0 ? 0.0 : heating_voltage * density[cell];
+    }
+
     static constexpr auto table()
     {
       return std::tuple{listed(&State::density, {"density"}, {.is_sized = true}),
@@ -190,10 +196,10 @@ private:
                                                                                        const Placement& placement);
   [[nodiscard]] FilmHeat heat_of_film(const Hot& hot, const contact::Flow& flow, std::span<const double> film,
                                       std::span<const double> pressure);
-  void drive_through(const contact::Flow& flow, const Interaction& found);
+  double drive_through(const contact::Flow& flow, const Interaction& found);
   [[nodiscard]] std::optional<Hot> hot_contact(const contact::Flow& flow, std::span<const double> film,
                                                double step) const;
-  void find_density(const contact::Flow& flow);
+  void find_density(const contact::Flow& flow, double current);
   void heat_up(const Hot& hot, const contact::Flow& flow, std::span<const double> pressure);
   void find_means(std::span<const double> pressure);
 

@@ -130,9 +130,9 @@ void Current::begin(const Interaction& /*before*/)
 {
   if (!heats())
     return;
-  heat_.assign(state_.density.begin(), state_.density.end());
-  for (double& value : heat_)
-    value *= state_.heating_voltage;
+  heat_.resize(state_.density.size());
+  for (std::size_t i = 0; i < heat_.size(); ++i)
+    heat_[i] = state_.heat(i);
 }
 
 /// Advances the film by an increment.
@@ -159,8 +159,7 @@ void Current::settle(const Interaction& found, const Placement& placement)
       flow.of_patch.empty() ? 0.0 : *std::max_element(flow.of_patch.begin(), flow.of_patch.end()) / flow.conductance;
   next_.temperature = std::max(bodies_[0].temperature, bodies_[1].temperature);
   clean_conductance_ = next_.film.empty() ? std::optional(flow.conductance * spreading_) : std::nullopt;
-  drive_through(flow, found);
-  find_density(flow);
+  find_density(flow, drive_through(flow, found));
   find_means(found.pressure());
   next_.per_volt = std::move(flow.density);
   next_.least_resistance = std::min(next_.least_resistance, next_.resistance);
@@ -169,7 +168,7 @@ void Current::settle(const Interaction& found, const Placement& placement)
     return;
   heat_.resize(grid_.size());
   for (std::size_t i = 0; i < heat_.size(); ++i)
-    heat_[i] = 0.5 * (heat_[i] + next_.heating_voltage * next_.density[i]);
+    heat_[i] = 0.5 * (heat_[i] + next_.heat(i));
 }
 
 void Current::commit(const Interaction& /*found*/, const Placement& /*placement*/)
@@ -192,13 +191,13 @@ void Current::find_means(std::span<const double> pressure)
 }
 
 /// Finds the density. Heat does not change the share of each spot; a contact without resistance has a uniform density.
-void Current::find_density(const contact::Flow& flow)
+void Current::find_density(const contact::Flow& flow, double current)
 {
   const bool is_full = std::isinf(flow.conductance);
   const double whole = static_cast<double>(grid_.size()) * grid_.cell_area();
   next_.density = is_full ? std::vector<double>(grid_.size(), 1.0 / whole) : flow.whole_density(grid_.cell_area());
   next_.density.resize(grid_.size()); // without contact
-  const double scale = is_full ? next_.current : flow.conductance > 0.0 ? next_.current / flow.conductance : 0.0;
+  const double scale = is_full ? current : flow.conductance > 0.0 ? current / flow.conductance : 0.0;
   next_.largest_density = 0.0;
   for (double& value : next_.density)
   {
@@ -236,7 +235,8 @@ std::optional<Current::Hot> Current::hot_contact(const contact::Flow& flow, std:
 }
 
 /// Finds resistance, current and voltage.
-void Current::drive_through(const contact::Flow& flow, const Interaction& found)
+/// @returns the current; without a steady state, which leaves some of them unknown, that of the cold contact
+double Current::drive_through(const contact::Flow& flow, const Interaction& found)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   next_.resistance = flow.conductance > 0.0 ? 1.0 / flow.conductance : flow.conductance == 0.0 ? infinite : nan;
@@ -250,17 +250,19 @@ void Current::drive_through(const contact::Flow& flow, const Interaction& found)
     const double driven = current.value_or(0.0);
     next_.current = is_open ? 0.0 : voltage.value_or(0.0) > 0.0 ? infinite : driven;
     next_.voltage = is_open && driven > 0.0 ? infinite : is_open ? voltage.value_or(0.0) : 0.0;
-    return;
+    return next_.current;
   }
   const std::optional<Hot> hot = hot_contact(flow, next_.film, found.step());
-  next_.voltage = hot ? hot->contact.voltage : nan;
+  const double cold = current.value_or(voltage.value_or(0.0) * flow.conductance);
+  next_.voltage = voltage.value_or(hot ? hot->contact.voltage : nan);
   next_.current = current.value_or(hot ? hot->current : nan);
   next_.temperature = hot ? hot->contact.temperature : nan;
   if (!hot || hot->contact.flow > 0.0)
     next_.resistance = next_.voltage / next_.current;
-  next_.heating_voltage = hot ? next_.voltage : next_.current / flow.conductance; // without a steady state as if cold
+  next_.heating_voltage = hot ? next_.voltage : cold / flow.conductance;
   if (hot && !next_.film.empty() && next_.voltage > 0.0)
     heat_up(*hot, flow, found.pressure());
+  return hot ? next_.current : cold;
 }
 
 /// Heat of a contact with a film, in which the spots are not equally hot.

@@ -336,7 +336,8 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
 
 bool alike(const ShapedBody& lower, const ShapedBody& upper)
 {
-  return lower.material == upper.material && lower.material.is_plastic() && are_smooth(lower, upper);
+  return lower.material == upper.material && lower.material.is_plastic() && are_smooth(lower, upper) &&
+         lower.film.is_smooth() && upper.film.is_smooth();
 }
 
 bool are_flat(const ShapedBody& lower, const ShapedBody& upper)

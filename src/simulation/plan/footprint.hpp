@@ -59,7 +59,8 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 /// Whether only the textures of the bodies touch.
 [[nodiscard]] bool are_flat(const ShapedBody& lower, const ShapedBody& upper);
 
-/// Whether two half spaces under the same pressure always have the same strain: the same plastic material, and no textures.
+/// Whether two half spaces under the same pressure always have the same strain: the same plastic material, no textures, and no
+/// films that differ from place to place.
 [[nodiscard]] bool alike(const ShapedBody& lower, const ShapedBody& upper);
 
 /// Whether a run needs no fields within the bodies: none that yields, and none that is wanted.

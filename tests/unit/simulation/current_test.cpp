@@ -340,6 +340,54 @@ TEST(Current, IsHeatInFrettingWithAFilm)
   check_first_law(c, 1.0 / (c.steps_per_cycle * *c.frequency));
 }
 
+TEST(Current, WithoutASteadyStateHeatsAsThatOfTheColdContact)
+{
+  // 0.6 V would heat the spots by V^2/(8 rho k) = 7500 K.
+  for (const bool is_voltage : {true, false})
+  {
+    FrettingCase c = hot_fretting();
+    c.cycles = 1;
+    c.heat.stress = false;
+    for (constitutive::Material* material : {&c.lower.material, &c.upper.material})
+      material->thermal->expansion = 0.0; // the contact stays as it is
+    c.current = {.voltage = {0.0}};
+    const auto cold = rows_of(c);
+    if (is_voltage)
+      c.current = {.voltage = {0.6}};
+    else
+      c.current = {.current = {0.6 / cold.back().contact_resistance}};
+    const auto rows = rows_of(c);
+    double before = 0.0;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+    {
+      EXPECT_TRUE(std::isnan(rows[i].contact_temperature) && std::isnan(rows[i].contact_resistance)) << i;
+      EXPECT_EQ(is_voltage ? rows[i].voltage : rows[i].current,
+                is_voltage ? c.current.voltage[0] : c.current.current[0]);
+      const double power = is_voltage ? 0.36 / cold[i].contact_resistance
+                                      : std::pow(c.current.current[0], 2) * cold[i].contact_resistance;
+      const double heat = 0.5 * (before + power) / (c.steps_per_cycle * *c.frequency);
+      if (rows[i - 1].cycle > 0) // pressing takes another time
+      {
+        EXPECT_NEAR(rows[i].heat_of_current - rows[i - 1].heat_of_current, heat, 1e-6 * heat) << i;
+      }
+      before = power;
+    }
+    EXPECT_GT(rows.back().heat_of_current, 0.0);
+  }
+}
+
+TEST(Current, BodiesOfWhichOneHasAFilmAreNoTwins)
+{
+  IndentationCase c = ball();
+  c.lower.material.hardening = constitutive::LinearHardening{300e6, 2e9};
+  c.lower.material.electrical = bronze;
+  c.upper.material = c.lower.material;
+  EXPECT_NE(plan(c).twin, elastoplastic::Twin::none);
+  c.current.film.resistivity = 1.0;
+  c.lower.film = HeightMap{.nx = 1, .ny = 1, .dx = 1e-4, .dy = 1e-4, .heights = {1e-9}};
+  EXPECT_EQ(plan(c).twin, elastoplastic::Twin::none);
+}
+
 TEST(Current, FilmGrowsWithTheSlipPath)
 {
   // Where all of the contact slips, each cell gains the growth times the path of its points.
