@@ -153,3 +153,11 @@ def request_text(
     all_headers |= {name.replace("_", "-"): value for name, value in headers.items()}
     lines = [f"{name}: {value}" for name, value in all_headers.items() if name not in without]
     return "\r\n".join([f"{method} {path} HTTP/1.1", *lines, "Connection: close", "", ""]).encode("latin-1") + body
+
+
+def tree(folder: Path) -> dict[str, Any]:
+    """Everything in a folder, with sizes and contents of small files."""
+    return {
+        str(path.relative_to(folder)): path.read_bytes() if path.is_file() and path.stat().st_size < 10_000 else None
+        for path in sorted(folder.rglob("*"))
+    }

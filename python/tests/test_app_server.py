@@ -19,7 +19,7 @@ import psutil
 import pytest
 
 import brinell
-from app_server import SMALL, Server, request_text, served
+from app_server import SMALL, Server, request_text, served, tree
 from brinell.app.case_text import text_of, values_of
 from brinell.results import open_run
 
@@ -38,14 +38,6 @@ def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def server(home: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     with served(home, tmp_path_factory.mktemp("settings")) as server:
         yield server
-
-
-def tree(folder: Path) -> dict[str, Any]:
-    """Everything in a folder, with sizes and contents of small files."""
-    return {
-        str(path.relative_to(folder)): path.read_bytes() if path.is_file() and path.stat().st_size < 10_000 else None
-        for path in sorted(folder.rglob("*"))
-    }
 
 
 def test_a_case_is_saved_and_opened(server: Server, home: Path) -> None:
