@@ -45,7 +45,7 @@ private:
   io::StoredParts parts_;
 };
 
-/// A checkpoint of the first rank for all.
+/// A checkpoint of the first rank for all. What it has left in its file is read by all ranks together, when they restore it.
 [[nodiscard]] std::optional<Archive::Fields> for_all(const Communicator& ranks,
                                                      std::optional<Archive::Fields> checkpoint);
 

@@ -69,7 +69,7 @@ Vertex orthogonal_shear(const Case& scenario)
   simulation::finish(run);
   const simulation::StepFields fields = run.fields();
   const VolumeGrid& grid = fields.surfaces.lower.grid;
-  const std::vector<double> field = fields.lower.fatigue.at(0)();
+  const std::vector<double> field = fields.lower.fatigue.at(0)().whole();
   std::vector<double> profile;
   for (int k = 0; k < grid.nz; ++k)
     profile.push_back(field[grid.index(grid.surface.nx / 2, grid.surface.ny / 2, k)]);
@@ -182,7 +182,7 @@ TEST(FatigueTest, TheMapOfTheWorstCellsIsAPartOfTheWholeMap)
   {
     simulation::Run<RollingCase> run(dented_flat(whole));
     simulation::finish(run);
-    return std::pair{run.fields().lower.fatigue.at(7)(), *run.totals().fatigue[0]};
+    return std::pair{run.fields().lower.fatigue.at(7)().whole(), *run.totals().fatigue[0]};
   };
   const auto [whole, of_whole] = map_of(true);
   const auto [part, of_part] = map_of(false);
@@ -298,7 +298,7 @@ void expect_equal(const simulation::StepFields& one, const simulation::StepField
   ASSERT_EQ(other.lower.fatigue.size(), one.lower.fatigue.size());
   const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
   for (std::size_t n = 0; n < one.lower.fatigue.size(); ++n)
-    EXPECT_TRUE(std::ranges::equal(one.lower.fatigue[n](), other.lower.fatigue[n](), is_same))
+    EXPECT_TRUE(std::ranges::equal(one.lower.fatigue[n]().whole(), other.lower.fatigue[n]().whole(), is_same))
         << simulation::fatigue_fields[n].name;
 }
 

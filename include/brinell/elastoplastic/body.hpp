@@ -7,6 +7,7 @@
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/field_table.hpp"
 #include "brinell/foundation/hidden.hpp"
+#include "brinell/foundation/layered_fields.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
@@ -185,14 +186,19 @@ public:
        const constitutive::Material& material, const BodySettings& settings = {});
 
   [[nodiscard]] const VolumeGrid& grid() const { return parts_.whole; }
+  /// Of the fields: the own layers, if ranks share the body.
+  [[nodiscard]] const VolumeGrid& own_grid() const { return parts_.grid; }
+  [[nodiscard]] const Share& share() const { return parts_.share; }
   /// The ranks that share the body.
   [[nodiscard]] const Communicator& ranks() const { return *parts_.ranks; }
   [[nodiscard]] const constitutive::Material& material() const { return parts_.yield.material; }
   /// Of a body that ranks share, with the fields of the own layers.
   [[nodiscard]] const BodyState& state() const { return parts_.state; }
-  /// A field of the state in all layers. If ranks share the body only the first one receives fields within it; the others get
-  /// an empty one.
-  [[nodiscard]] std::vector<double> field(std::vector<double> BodyState::*member) const;
+  /// Fields within the body.
+  /// @param own  of the own layers
+  [[nodiscard]] LayeredFields layered(std::vector<std::vector<double>> own) const;
+  /// The own layers of one or several fields within the body, one after the other.
+  [[nodiscard]] std::vector<double> own_layers(std::span<const double> whole) const;
   /// Accumulated equivalent plastic strain in a cell of the whole body; 0 if it is rigid.
   [[nodiscard]] double equivalent_at(std::size_t cell) const;
   /// Where the state has plastic strain; empty for a body that cannot yield.
@@ -284,8 +290,7 @@ public:
   /// the body does not yield. For a zero vector: the shear that the cell can carry in every direction.
   [[nodiscard]] std::vector<double> shear_strength(double along_x, double along_y = 0.0) const;
   /// Total stress in all layers [Pa], from a load, the plastic strain and the initial stress before the first load: deviator, 5
-  /// values per cell, and trace. The body must not be rigid. If ranks share it only the first one receives the stress; the spans of
-  /// the others are empty.
+  /// values per cell, and trace, in the own layers. The body must not be rigid.
   /// @param layers  number of layers from the surface that are computed
   void full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
                    int layers = halfspace::HalfSpace::all_layers);

@@ -48,7 +48,7 @@ public:
 
   /// A copy of the history.
   [[nodiscard]] BodyState state() const;
-  /// A copy of one field of the history, such as &BodyState::plastic_strain.
+  /// A copy of one field of the history, such as &BodyState::plastic_strain; of a body that ranks share in the own layers.
   [[nodiscard]] std::vector<double> field(std::vector<double> BodyState::*member) const;
   /// Residual displacement of the surface in the present trial along z (0), x (1) or y (2): Body::residual_displacement.
   [[nodiscard]] std::vector<double> residual_displacement(std::size_t axis = 0) const;

@@ -132,8 +132,8 @@ public:
   /// Adds to `out` the depth of a surface under the contact grid, from texture, residual displacement and effects such as wear
   /// [m]; zero outside the grid of the body.
   void add_depth(std::size_t side, const Place& place, std::span<double> out) const;
-  /// Total stress in all layers of a body [Pa]: from the load, the plastic strain, heat, and the initial stress before the first
-  /// load.
+  /// Total stress in all layers of a body, or in the own ones if ranks share it [Pa]: from the load, the plastic strain, heat, and
+  /// the initial stress before the first load.
   struct Stress
   {
     std::vector<double> deviator; ///< 5 values per cell

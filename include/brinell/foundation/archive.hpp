@@ -23,14 +23,25 @@ namespace brinell
 class Archive
 {
 public:
-  using Fields = std::map<std::string, std::vector<double>>;
+  /// Fields by name. Large ones may be left where they are stored, to be read when they are asked for.
+  struct Fields : std::map<std::string, std::vector<double>>
+  {
+    using map::map;
+    std::map<std::string, std::size_t> left{}; ///< numbers of the fields that are not in the map
+    /// Reads numbers of a field that has been left, from a first one on. @throws IoError
+    std::function<void(const std::string& name, std::size_t first, std::span<double> values)> read{};
+  };
   /// Receives the numbers of a field; the span is valid only during the call.
   using Take = std::function<void(const std::string& name, std::span<const double> values)>;
+  /// Receives the numbers of a field of `size` in parts, one after the other, of which this one begins with number `first`.
+  using TakePart =
+      std::function<void(const std::string& name, std::size_t size, std::size_t first, std::span<const double> values)>;
 
   /// An empty archive: saves every number that is passed to it.
   Archive() = default;
   /// Saves by passing every field on to `take` at once, and stores none.
-  explicit Archive(Take take) : take_(std::move(take)) {}
+  /// @param take_part  for fields that are passed in parts; none: they are put together for `take`
+  explicit Archive(Take take, TakePart take_part = {}) : take_(std::move(take)), take_part_(std::move(take_part)) {}
   /// A filled archive: restores the members that are passed to it from the stored numbers. An lvalue `stored` is not copied and
   /// must outlive the archive.
   explicit Archive(const Fields& stored) : lent_(&stored), gives_(true) {}
@@ -41,10 +52,39 @@ public:
   {
     if (!gives())
       keep(name, values);
+    else if (stored_size(name) == values.size() && is_left(name))
+      stored().read(prefix_ + name, 0, values);
     else if (const std::vector<double>& field = at(name); field.size() == values.size())
       values = field;
     else
       throw InputError("the stored state has another size of " + prefix_ + name);
+  }
+  /// A field that is in memory in parts only: calls pass(first, values) for each part, from which `values` are saved, or to which they
+  /// are restored.
+  /// @param size  number of all values, a multiple of `part`
+  /// @throws InputError if there is no field of this name and size
+  void parts(const std::string& name, std::size_t size, std::size_t part,
+             const std::function<void(std::size_t first, std::span<double> values)>& pass)
+  {
+    if (gives() && stored_size(name) != size)
+      throw InputError("the stored state has another size of " + prefix_ + name);
+    std::vector<double> values(part), all;
+    for (std::size_t first = 0; first < size; first += part)
+      if (gives())
+      {
+        read_part(name, first, values);
+        pass(first, values);
+      }
+      else
+      {
+        pass(first, values);
+        if (take_part_)
+          take_part_(prefix_ + name, size, first, values);
+        else
+          all.insert(all.end(), values.begin(), values.end());
+      }
+    if (!all.empty())
+      keep(name, all);
   }
   /// @throws InputError also if the type cannot represent the stored number
   template <typename Number>
@@ -92,7 +132,7 @@ public:
   template <typename Part>
   void list(const std::string& name, std::vector<Part>& parts)
   {
-    const std::string first = prefix_ + name + ".member.";
+    const std::string first = prefix_ + name + member_of_list;
     std::size_t size = parts.size();
     (*this)(name + ".size", size, 0, gives() ? rows(first) : size);
     parts.resize(size);
@@ -108,11 +148,19 @@ public:
       take_(fields_.begin()->first, fields_.begin()->second);
   }
 
+  /// Whether a field holds a member of the structs of a list; such fields must not be left.
+  [[nodiscard]] static bool is_member_of_list(const std::string& name)
+  {
+    return name.find(member_of_list) != std::string::npos;
+  }
+
   [[nodiscard]] bool gives() const { return gives_; }
   [[nodiscard]] const Fields& fields() const& { return fields_; }
   [[nodiscard]] Fields fields() && { return std::move(fields_); }
 
 private:
+  static constexpr const char* member_of_list = ".member.";
+
   void keep(const std::string& name, std::span<const double> values)
   {
     if (take_)
@@ -138,10 +186,19 @@ private:
                        ", which is not possible");
   }
   [[nodiscard]] const Fields& stored() const { return lent_ ? *lent_ : fields_; }
+  [[nodiscard]] bool is_left(const std::string& name) const { return stored().left.contains(prefix_ + name); }
   [[nodiscard]] std::size_t stored_size(const std::string& name) const
   {
+    if (is_left(name))
+      return stored().left.at(prefix_ + name);
     const auto found = stored().find(prefix_ + name);
     return found == stored().end() ? 0 : found->second.size();
+  }
+  void read_part(const std::string& name, std::size_t first, std::span<double> values) const
+  {
+    if (is_left(name))
+      return stored().read(prefix_ + name, first, values);
+    std::copy_n(at(name).begin() + static_cast<std::ptrdiff_t>(first), values.size(), values.begin());
   }
   /// Length of the longest field whose name begins with `first`.
   [[nodiscard]] std::size_t rows(const std::string& first) const
@@ -170,6 +227,7 @@ private:
   }
 
   Take take_; ///< if set, receives the fields instead of `fields_`
+  TakePart take_part_;
   Fields fields_;
   const Fields* lent_ = nullptr; ///< if set, fields of the caller that are used instead of `fields_`
   bool gives_ = false;

@@ -8,6 +8,7 @@
 #include "brinell/foundation/communicator.hpp"
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "brinell/foundation/layered_fields.hpp"
 #include "brinell/simulation/fatigue.hpp"
 #include "brinell/simulation/plan_error.hpp"
 #include "brinell/simulation/shape.hpp"
@@ -263,12 +264,12 @@ struct StepFields
   /// Functions that compute the fields; empty for fields that do not exist, such as those of a rigid body.
   struct Within
   {
-    std::function<std::vector<double>()> equivalent_plastic_strain, temperature;
-    std::function<TensorField()> plastic_strain, stress;
+    std::function<LayeredFields()> equivalent_plastic_strain, temperature;
+    std::function<LayeredFields()> plastic_strain, stress; ///< xx yy zz yz xz xy
     /// The state of some cells. If the same ones are asked for after each step, they cost little.
     std::function<std::vector<CellState>(std::span<const std::size_t> cells)> cells;
-    std::vector<std::function<std::vector<double>()>> fatigue{}; ///< the first ones of `fatigue_fields`; empty: none
-    bool keeps_stress = true, keeps_von_mises = true;            ///< parts of the stress that a result keeps
+    std::vector<std::function<LayeredFields()>> fatigue{}; ///< the first ones of `fatigue_fields`; empty: none
+    bool keeps_stress = true, keeps_von_mises = true;      ///< parts of the stress that a result keeps
   };
 
   Snapshot surfaces;   ///< all fields but those within the bodies

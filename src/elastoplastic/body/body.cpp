@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 /// An increment of a body, from its beginning to its end.
 namespace brinell::elastoplastic
@@ -37,26 +38,53 @@ double softening_far_away(const constitutive::Material& material)
   return material.softening ? constitutive::softening_factor(*material.softening, material.temperature) : 1.0;
 }
 
-/// Passes the fields of all layers, so that as many or as few ranks as there are can continue the history.
-void exchange_field(Archive& archive, const BodyParts& b, const std::string& name, std::vector<double>& own_field)
+/// Numbers per cell of a field; some ranks may have no layers.
+std::size_t numbers_of_cell(const BodyParts& b, const std::vector<double>& own_field)
 {
-  if (!archive.gives())
-  {
-    std::vector<double> whole = gathered(b, own_field);
-    return archive(name, whole);
-  }
-  std::vector<double> whole(own_field.size() / b.grid.size() * b.whole.size());
-  archive(name, whole);
-  own_field = own_layers(b, whole);
+  const std::size_t own = b.grid.size() > 0 ? own_field.size() / b.grid.size() : 0;
+  return static_cast<std::size_t>(b.ranks->largest(static_cast<double>(own)));
 }
 
-/// Counterpart of exchange_field for a field that may be empty.
+/// Numbers that each rank has of a layer.
+std::vector<std::size_t> counts_of_layer(const BodyParts& b, int layer)
+{
+  std::vector<std::size_t> counts(static_cast<std::size_t>(b.ranks->size()));
+  counts[static_cast<std::size_t>(b.share.layers().owner(layer))] = b.grid.surface.size();
+  return counts;
+}
+
+/// Passes the fields of all layers one by one, so that as many or as few ranks as there are can continue the history, and none needs
+/// memory for all of them.
+void exchange_field(Archive& archive, const BodyParts& b, const std::string& name, std::vector<double>& own_field,
+                    std::size_t numbers)
+{
+  const std::size_t plane = b.grid.surface.size();
+  const auto pass = [&](std::size_t first, std::span<double> values)
+  {
+    const auto layer = static_cast<int>(first % b.whole.size() / plane);
+    const auto own = [&]
+    {
+      const std::size_t component = first / b.whole.size();
+      return std::span(own_field).subspan(component * b.grid.size() + b.grid.index(0, 0, b.share.place(layer)), plane);
+    };
+    if (!archive.gives())
+      b.ranks->gather(b.share.has(layer) ? own() : std::span<double>{}, counts_of_layer(b, layer), values);
+    else if (b.share.has(layer))
+      std::ranges::copy(values, own().begin());
+  };
+  archive.parts(name, numbers * b.whole.size(), plane, pass);
+}
+
+/// Counterpart of exchange_field for a field that may be empty, as `Archive::list` passes it.
 void exchange_list(Archive& archive, const BodyParts& b, const std::string& name, std::vector<double>& own_field)
 {
-  std::vector<double> whole = archive.gives() ? std::vector<double>() : gathered(b, own_field);
-  archive.list(name, whole);
+  std::size_t size = archive.gives() ? 0 : numbers_of_cell(b, own_field) * b.whole.size();
+  archive(name + ".size", size, 0, std::numeric_limits<std::size_t>::max());
+  const std::size_t numbers = size / b.whole.size();
   if (archive.gives())
-    own_field = own_layers(b, whole);
+    own_field.resize(numbers * b.grid.size());
+  if (numbers > 0)
+    exchange_field(archive, b, name, own_field, numbers);
 }
 
 /// State of a body that ranks share, as `exchange_members` passes that of a body alone.
@@ -77,8 +105,8 @@ void exchange_shared(Archive& archive, BodyParts& b)
                 exchange_list(archive, b, name, value);
               else if (!value.empty() && name.starts_with("residual_displacement"))
                 archive(name, value);
-              else if (!value.empty())
-                exchange_field(archive, b, name, value);
+              else if (const std::size_t numbers = numbers_of_cell(b, value); numbers > 0)
+                exchange_field(archive, b, name, value, numbers);
             }
             else
               archive(name, value);
@@ -88,7 +116,7 @@ void exchange_shared(Archive& archive, BodyParts& b)
   };
   State state{b};
   archive("state", state);
-  exchange_field(archive, b, "q_field", b.trial.stress);
+  exchange_field(archive, b, "q_field", b.trial.stress, numbers_of_cell(b, b.trial.stress));
 }
 
 /// Drops what belongs to the trial alone.
@@ -176,7 +204,7 @@ void Body::set_softening(std::span<const double> factor)
   for (const double value : factor)
     if (!(value > 0.0 && std::isfinite(value)))
       throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", value));
-  b.yield.softening = own_layers(b, factor);
+  b.yield.softening = own_layers(factor);
   if (!b.trial.is_open)
     b.state.softening = b.yield.softening;
 }
@@ -208,7 +236,7 @@ void Body::set_thermal_stress(std::span<const double> deviator)
   BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
-  b.trial.thermal_stress = own_layers(b, deviator);
+  b.trial.thermal_stress = own_layers(deviator);
   b.trial.has_thermal_stress = true;
 }
 
@@ -365,13 +393,7 @@ std::span<const double> Body::residual_displacement(std::size_t axis) const
 void Body::full_stress(const halfspace::SurfaceLoad& load, std::span<double> deviator, std::span<double> trace,
                        int layers)
 {
-  BodyParts& b = parts_;
-  if (b.share.is_all())
-    return b.evaluation->full_stress(load, b.state.plastic_strain, deviator, trace, layers);
-  std::vector<double> own_deviator(Deviator::size * b.grid.size()), own_trace(b.grid.size());
-  b.evaluation->full_stress(load, b.state.plastic_strain, own_deviator, own_trace, layers);
-  std::ranges::copy(gathered(b, own_deviator), deviator.begin());
-  std::ranges::copy(gathered(b, own_trace), trace.begin());
+  parts_.evaluation->full_stress(load, parts_.state.plastic_strain, deviator, trace, layers);
 }
 
 std::vector<Body::CellStress> Body::stress_at(std::span<const std::size_t> cells, const halfspace::SurfaceLoad& load)

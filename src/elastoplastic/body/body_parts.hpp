@@ -46,8 +46,6 @@ void number_active_cells(BodyParts& body, const std::vector<double>& added);
                                    const std::function<double(std::size_t)>& term);
 /// The layers of all ranks of a field, for the first rank; empty for the others.
 [[nodiscard]] std::vector<double> gathered(const BodyParts& body, std::span<const double> own_field);
-/// The own layers of a field.
-[[nodiscard]] std::vector<double> own_layers(const BodyParts& body, std::span<const double> whole_field);
 
 /// Work of the thermal stress on the plastic strain of the present increment, by the trapezoidal rule [J].
 [[nodiscard]] double thermal_work_of_trial(const BodyParts& body);

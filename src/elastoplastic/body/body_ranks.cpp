@@ -160,8 +160,9 @@ std::vector<double> gathered(const BodyParts& b, std::span<const double> own_fie
   return whole;
 }
 
-std::vector<double> own_layers(const BodyParts& b, std::span<const double> whole_field)
+std::vector<double> Body::own_layers(std::span<const double> whole_field) const
 {
+  const BodyParts& b = parts_;
   std::vector<double> own_field;
   const std::size_t plane = b.grid.surface.size();
   for (std::size_t first = 0; first < whole_field.size(); first += b.whole.size())
@@ -173,13 +174,9 @@ std::vector<double> own_layers(const BodyParts& b, std::span<const double> whole
   return own_field;
 }
 
-std::vector<double> Body::field(std::vector<double> BodyState::*member) const
+LayeredFields Body::layered(std::vector<std::vector<double>> own) const
 {
-  const BodyParts& b = parts_;
-  using S = BodyState;
-  const bool is_on_surface = member == &S::residual_displacement || member == &S::residual_displacement_x ||
-                             member == &S::residual_displacement_y;
-  return b.share.is_all() || is_on_surface ? b.state.*member : gathered(b, b.state.*member);
+  return {parts_.whole, parts_.ranks, parts_.share, std::move(own)};
 }
 
 double Body::equivalent_at(std::size_t cell) const

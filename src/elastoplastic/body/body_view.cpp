@@ -41,7 +41,7 @@ BodyState BodyView::state() const
 
 std::vector<double> BodyView::field(std::vector<double> BodyState::*member) const
 {
-  std::vector<double> copy = solved_->field(member);
+  std::vector<double> copy = solved_->state().*member;
   turn_field(traits_of(member).in_mirror, copy);
   return copy;
 }
@@ -51,7 +51,7 @@ void BodyView::turn_field(InMirror in_mirror, std::vector<double>& field) const
   if (!is_mirrored())
     return;
   if (in_mirror == InMirror::deviator)
-    reverse_deviators(field, grid().surface.nx, grid().size());
+    reverse_deviators(field, grid().surface.nx, solved_->own_grid().size());
   else
     reverse_rows(field, grid().surface.nx, in_mirror == InMirror::odd ? -1.0 : 1.0);
 }
@@ -60,7 +60,7 @@ void BodyView::turn(std::vector<double>& deviators, std::vector<double>& scalars
 {
   if (!is_mirrored())
     return;
-  reverse_deviators(deviators, grid().surface.nx, grid().size());
+  reverse_deviators(deviators, grid().surface.nx, solved_->own_grid().size());
   reverse_rows(scalars, grid().surface.nx, 1.0);
 }
 

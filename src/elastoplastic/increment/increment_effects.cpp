@@ -170,11 +170,18 @@ double CoupledContact::expansion_work() const
 
 void add_thermal_stress(const ContactParts& c, std::size_t side, CoupledContact::Stress& stress)
 {
-  if (!c.heating || stress.trace.empty()) // only one of several ranks receives the stress
+  if (!c.heating)
     return;
   const BodyView view = c.view(side);
-  std::vector<double> deviator(stress.deviator.size()), trace(stress.trace.size());
+  const Body& solved = view.solved();
+  const std::size_t cells = view.grid().size();
+  std::vector<double> deviator(Deviator::size * cells), trace(cells);
   c.heating->layers(side, view.grid(), {.temperature = {}, .deviator = deviator, .trace = trace});
+  if (!solved.share().is_all())
+  {
+    deviator = solved.own_layers(deviator);
+    trace = solved.own_layers(trace);
+  }
   view.turn(deviator, trace);
   for (std::size_t i = 0; i < deviator.size(); ++i)
     stress.deviator[i] += deviator[i];

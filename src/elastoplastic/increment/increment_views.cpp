@@ -114,7 +114,7 @@ CoupledContact::Stress CoupledContact::stress(std::size_t side, const Place& pla
   ContactParts& c = *parts_;
   const BodyView view = c.view(side);
   const TurnedLoad load = load_on_solved(c, side, place);
-  const std::size_t cells = view.solved().ranks().rank() == 0 ? view.grid().size() : 0;
+  const std::size_t cells = view.solved().own_grid().size();
   Stress result{std::vector<double>(Deviator::size * cells), std::vector<double>(cells)};
   c.solved(side).full_stress(load.all(), result.deviator, result.trace);
   view.turn(result.deviator, result.trace);

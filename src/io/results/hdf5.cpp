@@ -148,7 +148,7 @@ Handle open_group(const Handle& parent, const std::string& name)
   return checked(H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), fmt::format("open the group {}", name));
 }
 
-std::vector<double> read_numbers(const Handle& group, const std::string& name)
+std::size_t count_of_numbers(const Handle& group, const std::string& name)
 {
   const std::string what = fmt::format("read the dataset {}", name);
   const Handle dataset = checked(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), what);
@@ -157,11 +157,29 @@ std::vector<double> read_numbers(const Handle& group, const std::string& name)
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
   // Compared with the stored size, so that a damaged header cannot cause a huge allocation.
   const hsize_t stored = H5Dget_storage_size(dataset.id()) / sizeof(double);
-  if (H5Tget_class(type.id()) != H5T_FLOAT || size < 0 || static_cast<hsize_t>(size) != stored)
+  if (H5Tget_class(type.id()) != H5T_FLOAT || size < 0 || static_cast<hsize_t>(size) != stored ||
+      H5Sget_simple_extent_ndims(space.id()) != 1)
     fail(fmt::format("{}: it is not a plain list of numbers", what));
-  std::vector<double> values(static_cast<std::size_t>(size));
-  check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+  return static_cast<std::size_t>(size);
+}
+
+std::vector<double> read_numbers(const Handle& group, const std::string& name)
+{
+  std::vector<double> values(count_of_numbers(group, name));
+  if (!values.empty())
+    read_part(group, name, 0, values);
   return values;
+}
+
+void read_part(const Handle& group, const std::string& name, std::size_t first, std::span<double> values)
+{
+  const std::string what = fmt::format("read the dataset {}", name);
+  const Handle dataset = checked(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), what);
+  const Handle there = checked(H5Dget_space(dataset.id()), what);
+  const hsize_t start = first, count = values.size();
+  check(H5Sselect_hyperslab(there.id(), H5S_SELECT_SET, &start, nullptr, &count, nullptr), what);
+  const Handle here = checked(H5Screate_simple(1, &count, nullptr), what);
+  check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, here.id(), there.id(), H5P_DEFAULT, values.data()), what);
 }
 
 std::vector<std::string> names(const Handle& group)

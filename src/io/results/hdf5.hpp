@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/layered_fields.hpp"
 #include "brinell/io/output_choice.hpp"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <hdf5.h>
@@ -87,19 +89,15 @@ template <typename Number>
 void write_dataset(const Handle& group, const char* name, const std::vector<Number>& values,
                    std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
                    Storage storage = Storage::deflated, Precision precision = Precision::double_precision);
-/// A field on the cells of a body, [z][y][x].
-struct Field
-{
-  const char* name;
-  const std::vector<double>& values;
-  std::string long_name;
-};
-
-/// Writes several fields. Deflated ones are compressed by all threads; the bytes are those that HDF5 would write with a single
-/// thread.
-/// @param shape  of each field, slowest index first
-void write_fields(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                  std::string_view units, Storage storage, Precision precision = Precision::double_precision);
+/// The parts of a field on the cells of a body, [z][y][x], as which it is written: each consists of whole chunks, for a file in
+/// memory as well.
+[[nodiscard]] std::vector<Slab> slabs(const std::array<std::size_t, 3>& shape);
+/// Writes fields on the cells of a body in parts, so that they need not be in memory as a whole; first all parts of the first field,
+/// in the order of `slabs`. Deflated ones are compressed by all threads; the bytes are those that HDF5 would write with a single thread.
+/// @param names, long_names  of the fields
+void write_fields(const Handle& group, const LayeredFields& fields, std::span<const char* const> names,
+                  std::span<const std::string> long_names, std::string_view units, Storage storage,
+                  Precision precision = Precision::double_precision);
 /// Writes a dataset with a single UTF-8 text.
 void write_text(const Handle& group, const char* name, std::string_view text);
 
@@ -128,6 +126,13 @@ void write_virtual_dataset(const Handle& group, const char* name, std::span<cons
 /// Reading and writing of plain numbers. Files are not trusted: types and sizes are checked on reading.
 void write_numbers(const Handle& group, const std::string& name, std::span<const double> values);
 [[nodiscard]] std::vector<double> read_numbers(const Handle& group, const std::string& name);
+/// A list of `size` numbers, which `write_part` fills.
+[[nodiscard]] Handle create_numbers(const Handle& group, const std::string& name, std::size_t size);
+void write_part(const Handle& numbers, std::size_t first, std::span<const double> values);
+/// How many numbers a list has.
+[[nodiscard]] std::size_t count_of_numbers(const Handle& group, const std::string& name);
+/// Reads numbers from a first one on.
+void read_part(const Handle& group, const std::string& name, std::size_t first, std::span<double> values);
 /// Names of the objects in a group.
 [[nodiscard]] std::vector<std::string> names(const Handle& group);
 [[nodiscard]] std::string read_text_attribute(const Handle& object, const char* name);

@@ -171,34 +171,42 @@ void require_values(const char* name, std::size_t values, std::span<const std::s
     throw InternalError(fmt::format("field {} has {} values on a grid of {} cells", name, values, size));
 }
 
-/// One chunk of a field.
+/// One chunk of a part of a field.
 struct Chunk
 {
-  const Field* field;
+  std::size_t part; ///< to which it belongs
   std::array<hsize_t, 3> offset;
   std::vector<unsigned char> stored{};
 };
 
-/// Appends all chunks of a field.
-void add_chunks(const Field& field, std::span<const hsize_t> shape, std::span<const hsize_t> sides,
-                std::vector<Chunk>& chunks)
+/// A part of a field, and its values.
+struct Part
 {
-  for (hsize_t k = 0; k < shape[0]; k += sides[0])
-    for (hsize_t j = 0; j < shape[1]; j += sides[1])
-      for (hsize_t i = 0; i < shape[2]; i += sides[2])
-        chunks.push_back({&field, {k, j, i}});
+  std::size_t field;
+  Slab slab;
+  std::vector<double> values{};
+};
+
+hsize_t as_hsize(int count)
+{
+  return static_cast<hsize_t>(count);
 }
 
 /// The numbers of a chunk; 0 beyond the end of the field, like the fill value of HDF5.
-std::vector<double> numbers_of(const Chunk& chunk, std::span<const hsize_t> shape, std::span<const hsize_t> sides)
+std::vector<double> numbers_of(const Part& part, const Chunk& chunk, std::span<const hsize_t> shape,
+                               std::span<const hsize_t> sides)
 {
   const auto& [k0, j0, i0] = chunk.offset;
+  const Slab& slab = part.slab;
   std::vector<double> numbers(sides[0] * sides[1] * sides[2]);
   for (hsize_t k = k0; k < std::min(k0 + sides[0], shape[0]); ++k)
     for (hsize_t j = j0; j < std::min(j0 + sides[1], shape[1]); ++j)
-      std::copy_n(chunk.field->values.begin() + static_cast<std::ptrdiff_t>((k * shape[1] + j) * shape[2] + i0),
+    {
+      const hsize_t row = (k - as_hsize(slab.first_layer)) * as_hsize(slab.rows) + j - as_hsize(slab.first_row);
+      std::copy_n(part.values.begin() + static_cast<std::ptrdiff_t>(row * shape[2] + i0),
                   std::min(sides[2], shape[2] - i0),
                   numbers.begin() + static_cast<std::ptrdiff_t>(((k - k0) * sides[1] + j - j0) * sides[2]));
+    }
   return numbers;
 }
 
@@ -229,26 +237,20 @@ std::vector<unsigned char> shuffled_and_deflated(const std::vector<double>& numb
   return shuffled_and_deflated(std::span<const float>(singles));
 }
 
-/// Writes fields whose chunks are compressed by all threads.
-void write_deflated(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                    std::string_view units, Precision precision)
+/// The chunks of parts, compressed by all threads.
+std::vector<Chunk> deflated_chunks(std::span<const Part> parts, std::span<const hsize_t> shape,
+                                   std::span<const hsize_t> sides, Precision precision)
 {
-  if (shape.size() != 3)
-    throw InternalError(fmt::format("write_fields: the shape has {} sides; allowed: 3", shape.size()));
-  const std::vector<hsize_t> dims(shape.begin(), shape.end());
-  const std::vector<hsize_t> sides = sides_of_chunk(dims);
-  std::vector<Chunk> chunks_of_all;
-  for (const Field& field : fields)
-  {
-    require_values(field.name, field.values.size(), shape);
-    add_chunks(field, dims, sides, chunks_of_all);
-  }
+  std::vector<Chunk> chunks;
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (hsize_t i = 0; i < shape[2]; i += sides[2])
+      chunks.push_back({part, {as_hsize(parts[part].slab.first_layer), as_hsize(parts[part].slab.first_row), i}});
   std::exception_ptr failure; // such as lack of memory; an exception must not leave the parallel loop
 #pragma omp parallel for schedule(dynamic)
-  for (Chunk& chunk : chunks_of_all)
+  for (Chunk& chunk : chunks)
     try
     {
-      chunk.stored = shuffled_and_deflated(numbers_of(chunk, dims, sides), precision);
+      chunk.stored = shuffled_and_deflated(numbers_of(parts[chunk.part], chunk, shape, sides), precision);
     }
     catch (...)
     {
@@ -257,22 +259,64 @@ void write_deflated(const Handle& group, std::span<const Field> fields, std::spa
     }
   if (failure)
     std::rethrow_exception(failure);
-  const Handle creation = chunks(dims, Storage::deflated);
-  for (const Field& field : fields)
-  {
-    const std::string what = fmt::format("write the dataset {}", field.name);
-    const Handle dataset =
-        write_dataset_of(group, field.name, stored_type<double>(precision), dims, nullptr, creation.id());
-    constexpr std::uint32_t all_filters = 0;
-    for (const Chunk& chunk : chunks_of_all)
-      if (chunk.field == &field)
-        check(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, all_filters, chunk.offset.data(), chunk.stored.size(),
-                             chunk.stored.data()),
-              what);
-    write_attribute(dataset, "units", units);
-    write_attribute(dataset, "long_name", field.long_name);
-  }
+  return chunks;
 }
+
+/// The datasets of fields, which are written in parts.
+class Datasets
+{
+public:
+  Datasets(const Handle& group, const std::array<std::size_t, 3>& shape, std::span<const char* const> names,
+           std::span<const std::string> long_names, std::string_view units, Storage storage, Precision precision)
+      : shape_(shape.begin(), shape.end()), sides_(sides_of_chunk(shape_)), is_deflated_(storage == Storage::deflated),
+        precision_(precision)
+  {
+    const Handle creation = chunks(shape_, storage);
+    for (std::size_t field = 0; field < names.size(); ++field)
+    {
+      names_.push_back(fmt::format("write the dataset {}", names[field]));
+      datasets_.push_back(
+          write_dataset_of(group, names[field], stored_type<double>(precision), shape_, nullptr, creation.id()));
+      write_attribute(datasets_.back(), "units", units);
+      write_attribute(datasets_.back(), "long_name", long_names[field]);
+    }
+  }
+
+  void write(std::span<const Part> parts) const
+  {
+    if (!is_deflated_)
+    {
+      for (const Part& part : parts)
+        write_plain(part);
+      return;
+    }
+    constexpr std::uint32_t all_filters = 0;
+    for (const Chunk& chunk : deflated_chunks(parts, shape_, sides_, precision_))
+    {
+      const std::size_t field = parts[chunk.part].field;
+      check(H5Dwrite_chunk(datasets_[field].id(), H5P_DEFAULT, all_filters, chunk.offset.data(), chunk.stored.size(),
+                           chunk.stored.data()),
+            names_[field]);
+    }
+  }
+
+private:
+  void write_plain(const Part& part) const
+  {
+    const Slab& slab = part.slab;
+    const Box box{{as_hsize(slab.first_layer), as_hsize(slab.first_row), 0},
+                  {as_hsize(slab.layers), as_hsize(slab.rows), shape_[2]}};
+    check(H5Dwrite(datasets_[part.field].id(), H5T_NATIVE_DOUBLE, space_of(box.count).id(), selection(shape_, box).id(),
+                   H5P_DEFAULT, part.values.data()),
+          names_[part.field]);
+  }
+
+  std::vector<hsize_t> shape_, sides_;
+  bool is_deflated_;
+  Precision precision_;
+  std::vector<std::string> names_;
+  std::vector<Handle> datasets_;
+};
 
 } // namespace
 
@@ -294,13 +338,39 @@ template void write_dataset(const Handle&, const char*, const std::vector<double
 template void write_dataset(const Handle&, const char*, const std::vector<int>&, std::span<const std::size_t>,
                             std::string_view, std::string_view, Storage, Precision);
 
-void write_fields(const Handle& group, std::span<const Field> fields, std::span<const std::size_t> shape,
-                  std::string_view units, Storage storage, Precision precision)
+std::vector<Slab> slabs(const std::array<std::size_t, 3>& shape)
 {
-  if (storage == Storage::deflated)
-    return write_deflated(group, fields, shape, units, precision);
-  for (const Field& field : fields)
-    write_dataset(group, field.name, field.values, shape, units, field.long_name, storage, precision);
+  const std::vector<hsize_t> dims(shape.begin(), shape.end());
+  const std::vector<hsize_t> sides = sides_of_chunk(dims);
+  const auto rest = [](hsize_t of, hsize_t first, hsize_t side)
+  { return static_cast<int>(std::min(side, of - first)); };
+  std::vector<Slab> slabs;
+  for (hsize_t k = 0; k < dims[0]; k += sides[0])
+    for (hsize_t j = 0; j < dims[1]; j += sides[1])
+      slabs.push_back(
+          {static_cast<int>(k), rest(dims[0], k, sides[0]), static_cast<int>(j), rest(dims[1], j, sides[1])});
+  return slabs;
+}
+
+void write_fields(const Handle& group, const LayeredFields& fields, std::span<const char* const> names,
+                  std::span<const std::string> long_names, std::string_view units, Storage storage, Precision precision)
+{
+  constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // enough chunks for all threads
+  const Datasets datasets(group, fields.shape(), names, long_names, units, storage, precision);
+  std::vector<Part> parts;
+  std::size_t numbers = 0;
+  for (std::size_t field = 0; field < names.size(); ++field)
+    for (const Slab& slab : slabs(fields.shape()))
+    {
+      parts.push_back({field, slab, fields.part(field, slab)});
+      numbers += parts.back().values.size();
+      if (numbers < numbers_at_once)
+        continue;
+      datasets.write(parts);
+      parts.clear();
+      numbers = 0;
+    }
+  datasets.write(parts);
 }
 
 void write_text(const Handle& group, const char* name, std::string_view text)
@@ -327,6 +397,22 @@ void write_numbers(const Handle& group, const std::string& name, std::span<const
 {
   const hsize_t size = values.size();
   (void)write_dataset_of(group, name, H5T_NATIVE_DOUBLE, {&size, 1}, values.data());
+}
+
+Handle create_numbers(const Handle& group, const std::string& name, std::size_t size)
+{
+  const hsize_t numbers = size;
+  return write_dataset_of(group, name, H5T_NATIVE_DOUBLE, {&numbers, 1}, nullptr);
+}
+
+void write_part(const Handle& numbers, std::size_t first, std::span<const double> values)
+{
+  const std::string what = "write a part of a dataset";
+  const Handle space = checked(H5Dget_space(numbers.id()), what);
+  const hsize_t start = first, count = values.size();
+  check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &start, nullptr, &count, nullptr), what);
+  check(H5Dwrite(numbers.id(), H5T_NATIVE_DOUBLE, space_of({&count, 1}).id(), space.id(), H5P_DEFAULT, values.data()),
+        what);
 }
 
 } // namespace brinell::io::h5

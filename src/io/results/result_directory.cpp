@@ -80,24 +80,37 @@ void write_checkpoint(const fs::path& path, const std::string& of_case, const st
   constexpr std::size_t around = 1 << 18, around_a_field = 1 << 10; // bytes
   std::size_t size = around + of_case.size();
   Archive sizes([&](const std::string&, std::span<const double> values)
-                { size += around_a_field + values.size_bytes(); });
+                { size += around_a_field + values.size_bytes(); },
+                [&](const std::string&, std::size_t of_all, std::size_t first, std::span<const double>)
+                { size += first == 0 ? around_a_field + of_all * sizeof(double) : 0; });
   state(sizes);
   Replacement replacement(path);
   replacement.require_room(size);
   h5::Handle file = h5::create_file(replacement.part());
   h5::write_attribute(file, "program", program());
   h5::write_attribute(file, "case", of_case);
+  std::optional<h5::Handle> dataset; // of which parts are written
   Archive written([&](const std::string& name, std::span<const double> values)
-                  { h5::write_numbers(file, name, values); });
+                  { h5::write_numbers(file, name, values); },
+                  [&](const std::string& name, std::size_t of_all, std::size_t first, std::span<const double> values)
+                  {
+                    if (first == 0)
+                      dataset = h5::create_numbers(file, name, of_all);
+                    h5::write_part(*dataset, first, values);
+                  });
   state(written);
+  dataset.reset(); // an open dataset would keep the file open
   h5::close_file(std::move(file));
   replacement.seal(checkpoint_mark);
   replacement.commit();
 }
 
+/// Large fields are left in the file until they are asked for.
 Archive::Fields content_of_checkpoint(const fs::path& path, const std::string& of_case)
 {
-  const h5::Handle file = h5::open_file(path);
+  constexpr std::size_t large = std::size_t{1} << 17; // 1 MB
+  const auto kept_open = std::make_shared<const h5::Handle>(h5::open_file(path));
+  const h5::Handle& file = *kept_open;
   if (const std::string written_by = h5::read_text_attribute(file, "program"); written_by != program())
     throw InputError(fmt::format("{}: was written by brinell {}, this is {}; resume with that program, or run without "
                                  "--resume",
@@ -108,7 +121,12 @@ Archive::Fields content_of_checkpoint(const fs::path& path, const std::string& o
     throw InputError(fmt::format("{}: is of another case: {}; run without --resume", path.string(), difference));
   Archive::Fields fields;
   for (const std::string& name : h5::names(file))
-    fields[name] = h5::read_numbers(file, name);
+    if (const std::size_t size = h5::count_of_numbers(file, name); size < large || Archive::is_member_of_list(name))
+      fields[name] = h5::read_numbers(file, name);
+    else
+      fields.left[name] = size;
+  fields.read = [kept_open](const std::string& name, std::size_t first, std::span<double> values)
+  { h5::read_part(*kept_open, name, first, values); };
   return fields;
 }
 

@@ -2,16 +2,14 @@
 #include "result_file.hpp"
 
 #include "brinell/foundation/error.hpp"
-#include "brinell/foundation/sym_tensor.hpp"
 #include "brinell/io/citations.hpp"
-#include "brinell/io/result_directory.hpp"
 #include "brinell/io/result_image.hpp"
 #include "brinell/io/versions.hpp"
 #include "earlier_result.hpp"
 #include "hdf5.hpp"
 #include "io/files.hpp"
 #include "stored_parts.hpp"
-#include "surface_fields.hpp"
+#include "stored_state.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,175 +27,12 @@ namespace
 {
 
 namespace fs = std::filesystem;
+using simulation::StepFields;
 
 constexpr const char* file_name = "result.vtkhdf";
 constexpr const char *piece_group = "state", *final_group = "/final";
 constexpr std::size_t most_shown =
     30; ///< number of states in /VTKHDF of an unfinished file, which is rewritten after each state
-
-constexpr std::array components{"xx", "yy", "zz", "yz", "xz", "xy"};
-
-using simulation::StepFields;
-using simulation::TensorField;
-
-/// Where the file is written; in memory, nothing is compressed.
-enum class Place
-{
-  disk,
-  memory
-};
-
-h5::Storage storage_of(Place place, h5::Storage on_disk)
-{
-  return place == Place::memory ? h5::Storage::contiguous : on_disk;
-}
-
-/// Where a state is written, and how its fields are stored.
-struct Form
-{
-  Place place = Place::disk;
-  Precision precision = Precision::double_precision;
-
-  [[nodiscard]] h5::Storage storage(h5::Storage on_disk) const { return storage_of(place, on_disk); }
-};
-
-void write_tensor(const h5::Handle& parent, const char* name, const TensorField& field,
-                  std::span<const std::size_t> shape, std::string_view units, std::string_view long_name,
-                  h5::Storage storage, Precision precision)
-{
-  std::vector<h5::Field> fields;
-  for (std::size_t c = 0; c < components.size(); ++c)
-    fields.push_back({components[c], field[c], fmt::format("{}, {}", long_name, components[c])});
-  h5::write_fields(h5::create_group(parent, name), fields, shape, units, storage, precision);
-}
-
-std::vector<double> von_mises_field(const TensorField& stress)
-{
-  const std::size_t size = stress[0].size();
-  std::vector<double> result(size);
-#pragma omp parallel for
-  for (std::size_t i = 0; i < size; ++i)
-    result[i] =
-        von_mises(SymTensor{stress[0][i], stress[1][i], stress[2][i], stress[3][i], stress[4][i], stress[5][i]});
-  return result;
-}
-
-/// Writes those fields on a surface that exist; fields of bodies that stay elastic may be empty.
-void write_fields(const h5::Handle& group, std::span<const simulation::FieldOf<const std::vector<double>>> fields,
-                  std::span<const std::size_t> shape, const Form& form)
-{
-  for (const auto& field : fields)
-    if (!field.values->empty())
-      h5::write_dataset(group, field.name, *field.values, shape, field.unit, field.text,
-                        form.storage(h5::Storage::deflated), form.precision);
-}
-
-void write_contact(const h5::Handle& parent, const simulation::Snapshot& snapshot, const Form& form)
-{
-  const h5::Handle group = h5::create_group(parent, "contact");
-  const SurfaceGrid& grid = snapshot.contact;
-  h5::write_attribute(group, "spacing", std::array{grid.dx, grid.dy});
-  h5::write_attribute(group, "origin", std::array{snapshot.x0, snapshot.y0});
-  write_fields(group, surface_fields(snapshot),
-               std::array{static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(grid.nx)}, form);
-}
-
-/// Writes the fields within a body one after the other, so that only one of them is in memory at a time.
-void write_within(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
-                  const Form& form)
-{
-  const h5::Storage deflated = form.storage(h5::Storage::deflated), plain = form.storage(h5::Storage::plain);
-  const auto write =
-      [&](const char* name, const std::vector<double>& field, const char* unit, const char* text, h5::Storage storage)
-  { h5::write_dataset(group, name, field, volume, unit, text, storage, form.precision); };
-  if (within.equivalent_plastic_strain)
-    write("equivalent_plastic_strain", within.equivalent_plastic_strain(), "1", "accumulated equivalent plastic strain",
-          deflated);
-  if (within.temperature)
-    write("temperature", within.temperature(), "degC", "temperature", deflated);
-  if (within.plastic_strain)
-    write_tensor(group, "plastic_strain", within.plastic_strain(), volume, "1", "plastic strain", deflated,
-                 form.precision);
-  if (!within.stress)
-    return;
-  const TensorField stress = within.stress();
-  if (within.keeps_stress)
-    write_tensor(group, "stress", stress, volume, "Pa",
-                 "stress of contact, plastic strain, heat and before the first load, tension positive", plain,
-                 form.precision);
-  if (within.keeps_von_mises)
-    write("von_mises_stress", von_mises_field(stress), "Pa", "von Mises stress", plain);
-}
-
-void compute_within(const StepFields::Within& within)
-{
-  if (within.equivalent_plastic_strain)
-    static_cast<void>(within.equivalent_plastic_strain());
-  if (within.temperature)
-    static_cast<void>(within.temperature());
-  if (within.plastic_strain)
-    static_cast<void>(within.plastic_strain());
-  if (within.stress)
-    static_cast<void>(within.stress());
-}
-
-/// Writes the fields of fatigue, which a twin has of its own.
-void write_fatigue(const h5::Handle& group, const StepFields::Within& within, std::span<const std::size_t> volume,
-                   const Form& form)
-{
-  for (std::size_t n = 0; n < within.fatigue.size(); ++n)
-  {
-    const simulation::FatigueField& field = simulation::fatigue_fields[n];
-    h5::write_dataset(group, field.name.data(), within.fatigue[n](), volume, field.unit, field.text,
-                      form.storage(h5::Storage::deflated), form.precision);
-  }
-}
-
-/// Copies the fields within a body from the group of a body with the same fields, so that they are neither computed nor
-/// compressed again.
-void copy_within(const h5::Handle& alike, const h5::Handle& group)
-{
-  for (const char* name : {"equivalent_plastic_strain", "temperature", "plastic_strain", "stress", "von_mises_stress"})
-    if (h5::has_member(alike, name))
-      h5::copy_object(alike, name, group, name);
-}
-
-/// @param alike  group of a body with the same fields within; nullptr: there is none
-h5::Handle write_body(const h5::Handle& parent, const char* name, const simulation::BodySnapshot& body,
-                      const StepFields::Within& within, const Form& form, const h5::Handle* alike)
-{
-  h5::Handle group = h5::create_group(parent, name);
-  const VolumeGrid& grid = body.grid;
-  const std::array spacing{grid.surface.dx, grid.surface.dy, grid.dz};
-  const std::array origin{body.x0, body.y0, body.top + 0.5 * grid.dz};
-  h5::write_attribute(group, "spacing", spacing);
-  h5::write_attribute(group, "origin", origin);
-  h5::write_attribute(group, "cells", std::array{grid.surface.nx, grid.surface.ny, grid.nz});
-  h5::write_attribute(group, "contact_x", body.contact_x);
-  h5::write_attribute(group, "is_rigid", body.is_rigid ? 1 : 0);
-  const std::array volume{static_cast<std::size_t>(grid.nz), static_cast<std::size_t>(grid.surface.ny),
-                          static_cast<std::size_t>(grid.surface.nx)};
-  write_fields(group, surface_fields(body), std::span(volume).subspan(1), form);
-  if (alike != nullptr)
-    copy_within(*alike, group);
-  else
-    write_within(group, within, volume, form);
-  write_fatigue(group, within, volume, form);
-  return group;
-}
-
-/// Writes the fields of a step, and its row of the history as attributes: docs/reference/results-format.md.
-/// @throws IoError; InternalError if a field does not fit its grid
-void write_state(const h5::Handle& group, const std::vector<NamedNumber>& columns, const StepFields& fields,
-                 const Form& form)
-{
-  for (const NamedNumber& column : columns)
-    std::visit([&](auto number) { h5::write_attribute(group, std::string(column.name).c_str(), number); },
-               column.value);
-  write_contact(group, fields.surfaces, form);
-  const h5::Handle lower = write_body(group, "lower", fields.surfaces.lower, fields.lower, form, nullptr);
-  (void)write_body(group, "upper", fields.surfaces.upper, fields.upper, form, fields.are_alike ? &lower : nullptr);
-}
 
 /// Upper bound for the size of the file of a state [bytes], with more fields than there are and without compression.
 std::uintmax_t largest_size(const StepFields& fields)
@@ -258,14 +93,6 @@ std::string group_of_step(int step)
 }
 
 } // namespace
-
-void compute_fields(const StepFields& fields, const std::vector<std::string>& words, const StoredParts& parts)
-{
-  const StepFields chosen = chosen_fields(fields, words, parts);
-  compute_within(chosen.lower);
-  if (!chosen.are_alike)
-    compute_within(chosen.upper);
-}
 
 Description::Description(const Case& c)
     : case_text(resolved_text(c.values)), sources(fmt::format("{}\n", fmt::join(citation_lines(c), "\n"))),

@@ -44,16 +44,10 @@ bool is_within(std::string_view field)
   return std::ranges::find(fields_within, field) != fields_within.end();
 }
 
-/// Indices of cells along an axis, evenly spaced.
-struct Taken
-{
-  int first = 0, count = 0, stride = 1;
-};
-
 /// Cells along an axis in a region. Which cells a stride takes depends on their coordinates only, so that grids of the same
 /// lattice agree, whether one has grown or lies elsewhere.
 /// @param first  centre of cell 0 on the body [m]
-Taken taken_along(int cells, double first, double size, const std::optional<std::vector<double>>& region, int stride)
+Spaced taken_along(int cells, double first, double size, const std::optional<std::vector<double>>& region, int stride)
 {
   int begin = 0, end = cells;
   if (region)
@@ -75,30 +69,22 @@ Taken taken_along(int cells, double first, double size, const std::optional<std:
   return {start, (end - start + stride - 1) / stride, stride};
 }
 
-/// The cells of a box of a field, [z][y][x].
-std::vector<double> part_of(const std::vector<double>& field, const SurfaceGrid& grid, const Taken& z, const Taken& x,
-                            const Taken& y)
+/// Some cells of a field on a surface.
+std::vector<double> part_of(const std::vector<double>& field, const SurfaceGrid& grid, const Spaced& x, const Spaced& y)
 {
   std::vector<double> part;
   if (field.empty())
     return part;
-  part.reserve(static_cast<std::size_t>(z.count) * y.count * x.count);
-  for (int k = 0; k < z.count; ++k)
-    for (int j = 0; j < y.count; ++j)
-    {
-      const auto layer = static_cast<std::size_t>(z.first + k * z.stride);
-      const std::size_t row = (layer * grid.ny + static_cast<std::size_t>(y.first + j * y.stride)) * grid.nx;
-      for (int i = 0; i < x.count; ++i)
-        part.push_back(field[row + static_cast<std::size_t>(x.first + i * x.stride)]);
-    }
+  part.reserve(static_cast<std::size_t>(y.count) * static_cast<std::size_t>(x.count));
+  for (int j = 0; j < y.count; ++j)
+    for (int i = 0; i < x.count; ++i)
+      part.push_back(field[grid.index(x.item(i), y.item(j))]);
   return part;
 }
 
-constexpr Taken one_layer{0, 1, 1}; ///< of a field on a surface
-
 struct TakenOfBody
 {
-  Taken x, y, z;
+  Spaced x, y, z;
 };
 
 TakenOfBody taken_of(const VolumeGrid& grid, double x0, double y0, const StoredCells& cells)
@@ -128,24 +114,17 @@ void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cell
 {
   const VolumeGrid grid = body.grid;
   const TakenOfBody taken = taken_of(grid, body.x0, body.y0, cells);
-  const auto cut_field = [=](const std::vector<double>& field, const Taken& z)
-  { return part_of(field, grid.surface, z, taken.x, taken.y); };
   for (const auto& field : simulation::surface_fields(body))
-    *field.values = cut_field(*field.values, one_layer);
-  for (auto* field : {&within.equivalent_plastic_strain, &within.temperature})
-    if (*field)
-      *field = [=, whole = *field] { return cut_field(whole(), taken.z); };
+    *field.values = part_of(*field.values, grid.surface, taken.x, taken.y);
+  const auto cut_field = [taken](std::function<LayeredFields()>& field)
+  {
+    if (field)
+      field = [taken, whole = field] { return whole().selected(taken.z, taken.y, taken.x); };
+  };
+  for (auto* field : {&within.equivalent_plastic_strain, &within.temperature, &within.plastic_strain, &within.stress})
+    cut_field(*field);
   for (auto& field : within.fatigue)
-    field = [=, whole = field] { return cut_field(whole(), taken.z); };
-  for (auto* tensor : {&within.plastic_strain, &within.stress})
-    if (*tensor)
-      *tensor = [=, whole = *tensor]
-      {
-        TensorField field = whole();
-        for (std::vector<double>& component : field)
-          component = cut_field(component, taken.z);
-        return field;
-      };
+    cut_field(field);
   body.grid = grid_of(grid, taken);
   body.x0 += taken.x.first * grid.surface.dx;
   body.y0 += taken.y.first * grid.surface.dy;
@@ -156,10 +135,10 @@ void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cell
 void cut(Snapshot& contact, const StoredCells& cells)
 {
   const SurfaceGrid grid = contact.contact;
-  const Taken x = taken_along(grid.nx, contact.x0 + contact.lower.contact_x, grid.dx, std::nullopt, cells.stride),
-              y = taken_along(grid.ny, contact.y0, grid.dy, std::nullopt, cells.stride);
+  const Spaced x = taken_along(grid.nx, contact.x0 + contact.lower.contact_x, grid.dx, std::nullopt, cells.stride),
+               y = taken_along(grid.ny, contact.y0, grid.dy, std::nullopt, cells.stride);
   for (const auto& field : simulation::surface_fields(contact))
-    *field.values = part_of(*field.values, grid, one_layer, x, y);
+    *field.values = part_of(*field.values, grid, x, y);
   contact.contact.nx = x.count;
   contact.contact.ny = y.count;
   contact.contact.dx *= x.stride;

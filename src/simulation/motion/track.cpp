@@ -150,16 +150,14 @@ TrackProfile track_profile(const VolumeGrid& grid, const StepFields::Within& bod
   TrackProfile profile;
   if (!body.stress)
     return profile;
-  const TensorField stress = body.stress();
-  const std::vector<double> equivalent = body.equivalent_plastic_strain();
-  for (int layer = 0; layer < grid.nz && !equivalent.empty(); ++layer) // only one of several ranks receives the fields
-  {
-    const std::size_t cell = middle(grid, layer);
-    profile.depth.push_back((layer + 0.5) * grid.dz);
-    profile.residual_xx.push_back(stress[0][cell]);
-    profile.residual_yy.push_back(stress[1][cell]);
-    profile.equivalent_plastic_strain.push_back(equivalent[cell]);
-  }
+  const Spaced layers{0, grid.nz, 1}, row{(grid.surface.ny - 1) / 2, 1, 1}, column{(grid.surface.nx - 1) / 2, 1, 1};
+  const LayeredFields stress = body.stress().selected(layers, row, column);
+  profile.residual_xx = stress.whole(0);
+  profile.residual_yy = stress.whole(1);
+  profile.equivalent_plastic_strain = body.equivalent_plastic_strain().selected(layers, row, column).whole();
+  // Only one of several ranks receives the fields.
+  for (std::size_t layer = 0; layer < profile.residual_xx.size(); ++layer)
+    profile.depth.push_back((static_cast<double>(layer) + 0.5) * grid.dz);
   return profile;
 }
 

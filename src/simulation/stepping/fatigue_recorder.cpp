@@ -319,7 +319,9 @@ void FatigueRecorder::attach(StepFields& fields) const
   for (std::size_t side = 0; side < 2; ++side)
     if (const std::optional<FatigueOfBody>& body = bodies_[side])
       for (std::size_t n = 0; n < fatigue_fields.size() - (body->has_criterion() ? 0 : 1); ++n)
-        within[side]->fatigue.emplace_back([&body, n] { return body->fields()[n]; });
+        within[side]->fatigue.emplace_back(
+            [&body, n, grid = side == 0 ? fields.surfaces.lower.grid : fields.surfaces.upper.grid]
+            { return LayeredFields(grid, {body->fields()[n]}); });
 }
 
 std::array<std::optional<FatigueSummary>, 2> FatigueRecorder::summaries() const

@@ -13,12 +13,10 @@ namespace
 {
 
 /// Full tensor fields from deviators (5 values per cell) and trace.
-TensorField six_fields(const std::vector<double>& deviators, const std::vector<double>& trace)
+std::vector<std::vector<double>> six_fields(const std::vector<double>& deviators, const std::vector<double>& trace)
 {
   const std::size_t cells = trace.size();
-  TensorField fields;
-  for (std::vector<double>& field : fields)
-    field.resize(cells);
+  std::vector<std::vector<double>> fields(std::tuple_size_v<TensorField>, std::vector<double>(cells));
   for_pieces(cells,
              [&](std::size_t first, std::size_t last)
              {
@@ -65,23 +63,40 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
   using elastoplastic::BodyState;
   if (body.material().elastic.is_rigid())
     return {};
-  return {.equivalent_plastic_strain = [body] { return body.field(&BodyState::equivalent); },
-          .temperature = std::move(temperature),
+  std::function<LayeredFields()> temperature_field;
+  if (temperature)
+    temperature_field = [body, temperature = std::move(temperature)]
+    { return LayeredFields(body.grid(), {temperature()}); };
+  return {.equivalent_plastic_strain = [body] { return body.solved().layered({body.field(&BodyState::equivalent)}); },
+          .temperature = std::move(temperature_field),
           .plastic_strain =
               [body]
           {
             const std::vector<double> strain = body.field(&BodyState::plastic_strain);
-            return six_fields(strain, std::vector<double>(strain.size() / Deviator::size));
+            return body.solved().layered(six_fields(strain, std::vector<double>(strain.size() / Deviator::size)));
           },
           .stress =
-              [stress]
+              [body, stress]
           {
             const elastoplastic::CoupledContact::Stress found = stress();
-            return six_fields(found.deviator, found.trace);
+            return body.solved().layered(six_fields(found.deviator, found.trace));
           },
           .cells = [states = std::move(states)](std::span<const std::size_t> cells)
           { return whole_tensors(states(cells)); }};
 }
+
+namespace
+{
+
+TensorField tensor(const LayeredFields& components)
+{
+  TensorField whole;
+  for (std::size_t c = 0; c < whole.size(); ++c)
+    whole[c] = components.whole(c);
+  return whole;
+}
+
+} // namespace
 
 Snapshot StepFields::whole() const
 {
@@ -89,13 +104,13 @@ Snapshot StepFields::whole() const
   for (const auto& [within, body] : {std::pair{&lower, &s.lower}, {&upper, &s.upper}})
   {
     if (within->equivalent_plastic_strain)
-      body->equivalent_plastic_strain = within->equivalent_plastic_strain();
+      body->equivalent_plastic_strain = within->equivalent_plastic_strain().whole();
     if (within->plastic_strain)
-      body->plastic_strain = within->plastic_strain();
+      body->plastic_strain = tensor(within->plastic_strain());
     if (within->stress)
-      body->stress = within->stress();
+      body->stress = tensor(within->stress());
     if (within->temperature)
-      body->temperature = within->temperature();
+      body->temperature = within->temperature().whole();
   }
   return s;
 }

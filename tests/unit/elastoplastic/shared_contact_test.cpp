@@ -120,9 +120,18 @@ Outcome outcome_of(const Press& press, const Ranks& ranks)
   Archive archive;
   pair.exchange(archive);
   outcome.state = std::move(archive).fields();
-  CoupledContact::Stress stress = pair.stress(0, placement_of(press, 3).lower);
-  outcome.stress = std::move(stress.deviator);
-  outcome.trace = std::move(stress.trace);
+  const CoupledContact::Stress stress = pair.stress(0, placement_of(press, 3).lower);
+  const Body& lower = pair.lower().solved();
+  for (std::size_t first = 0; first < stress.deviator.size(); first += stress.trace.size())
+  {
+    const std::vector<double> component =
+        lower
+            .layered({{stress.deviator.begin() + static_cast<std::ptrdiff_t>(first),
+                       stress.deviator.begin() + static_cast<std::ptrdiff_t>(first + stress.trace.size())}})
+            .whole();
+    outcome.stress.insert(outcome.stress.end(), component.begin(), component.end());
+  }
+  outcome.trace = lower.layered({stress.trace}).whole();
   for (const Body* body : {&pair.lower().solved(), &pair.upper().solved()})
     for (const double largest : body->largest_of_layers())
       outcome.largest.push_back(largest);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/foundation/archive.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace brinell::archive_test
 {
@@ -72,6 +76,57 @@ TEST(ArchiveTest, HandsOnWhatItWouldKeep)
     EXPECT_EQ(taken, keeping.fields());
     EXPECT_TRUE(handing.fields().empty());
   }
+}
+
+// A field that no process has whole in memory.
+TEST(ArchiveTest, PassesAFieldInParts)
+{
+  std::vector<double> field{1, 2, 3, 4, 5, 6};
+  const auto save = [&](std::size_t first, std::span<double> values)
+  { std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(first), values.size(), values.begin()); };
+  std::vector<std::pair<std::size_t, std::vector<double>>> taken;
+  Archive handing([](const std::string&, std::span<const double>) { FAIL(); },
+                  [&](const std::string& name, std::size_t size, std::size_t first, std::span<const double> values)
+                  {
+                    EXPECT_EQ(name, "field");
+                    EXPECT_EQ(size, 6u);
+                    taken.emplace_back(first, std::vector(values.begin(), values.end()));
+                  });
+  handing.parts("field", 6, 2, save);
+  ASSERT_EQ(taken.size(), 3u);
+  EXPECT_EQ(taken[2], (std::pair<std::size_t, std::vector<double>>{4, {5, 6}}));
+  Archive keeping;
+  keeping.parts("field", 6, 3, save);
+  EXPECT_EQ(keeping.fields().at("field"), field) << "put together for whoever does not ask for parts";
+  std::vector<double> restored(6);
+  const auto restore = [&](std::size_t first, std::span<double> values)
+  { std::copy(values.begin(), values.end(), restored.begin() + static_cast<std::ptrdiff_t>(first)); };
+  Archive(keeping.fields()).parts("field", 6, 2, restore);
+  EXPECT_EQ(restored, field);
+  EXPECT_THROW(Archive(keeping.fields()).parts("field", 8, 2, restore), InputError);
+  EXPECT_THROW(Archive(keeping.fields()).parts("other", 6, 2, restore), InputError);
+}
+
+TEST(ArchiveTest, ReadsWhatHasBeenLeftWhereItIsStored)
+{
+  const std::vector<double> stored{1, 2, 3, 4, 5, 6};
+  Archive::Fields fields{{"count", {2.0}}};
+  fields.left["field"] = stored.size();
+  fields.left["list"] = stored.size();
+  fields["list.size"] = {6.0};
+  fields.read = [&](const std::string&, std::size_t first, std::span<double> values)
+  { std::copy_n(stored.begin() + static_cast<std::ptrdiff_t>(first), values.size(), values.begin()); };
+  std::vector<double> whole(6), list, parts(6), longer(7);
+  Archive archive(fields);
+  archive("field", whole);
+  archive.list("list", list);
+  archive.parts("field", 6, 2,
+                [&](std::size_t first, std::span<double> values)
+                { std::copy(values.begin(), values.end(), parts.begin() + static_cast<std::ptrdiff_t>(first)); });
+  EXPECT_EQ(whole, stored);
+  EXPECT_EQ(list, stored);
+  EXPECT_EQ(parts, stored);
+  EXPECT_THROW(archive("field", longer), InputError);
 }
 
 TEST(ArchiveTest, ListsOfPartsAreColumns)

@@ -68,18 +68,23 @@ TEST(Results, FieldsDeflatedByAllThreadsHaveTheBytesOfHdf5)
     const std::size_t cells = shape[0] * shape[1] * shape[2];
     std::vector<double> rough = test::random_field(cells, 1), empty(cells), some = rough;
     std::fill_n(some.begin(), cells / 2, 0.0);
-    const std::array fields{h5::Field{"rough", rough, "of no order"}, h5::Field{"empty", empty, "nothing"},
-                            h5::Field{"some", some, "half of it"}};
+    const VolumeGrid grid{
+        {static_cast<int>(shape[2]), static_cast<int>(shape[1]), 1.0, 1.0}, static_cast<int>(shape[0]), 1.0};
+    constexpr std::array names{"rough", "empty", "some"};
+    const std::array<std::string, 3> texts{"of no order", "nothing", "half of it"};
+    const auto write = [&](const h5::Handle& group) {
+      h5::write_fields(group, LayeredFields(grid, {rough, empty, some}), names, texts, "Pa", h5::Storage::deflated);
+    };
     const h5::Handle file = h5::create_file_in_memory();
     const h5::Handle here = h5::create_group(file, "here"), there = h5::create_group(file, "there");
-    h5::write_fields(here, fields, shape, "Pa", h5::Storage::deflated);
+    write(here);
     for (const std::vector<double>* field : {&rough, &empty, &some})
       h5::write_dataset(there, field == &rough ? "rough" : field == &empty ? "empty" : "some", *field, shape, "Pa", "");
     EXPECT_NO_THROW(h5::require_same_datasets(here, there)) << shape[0];
     EXPECT_NO_THROW(h5::require_same_datasets(there, here)) << shape[0];
     some.back() += 1.0;
     const h5::Handle other = h5::create_group(file, "other");
-    h5::write_fields(other, fields, shape, "Pa", h5::Storage::deflated);
+    write(other);
     EXPECT_THROW(h5::require_same_datasets(here, other), IoError) << "the comparison must tell one number";
   }
 }
@@ -217,7 +222,7 @@ TEST(Results, BodiesThatAreAlikeHaveTheSameFieldsStored)
   simulation::StepFields fields = sample::fields_of(snapshot);
   write(one, fields);
   fields.are_alike = true;
-  const auto never = []() -> simulation::TensorField { throw InternalError("computed again"); };
+  const auto never = []() -> LayeredFields { throw InternalError("computed again"); };
   fields.upper.plastic_strain = fields.upper.stress = never;
   write(other, fields);
   const h5::Handle computed = h5::open_file(one / "result.vtkhdf");

@@ -139,15 +139,19 @@ inline simulation::StepFields fields_of(const simulation::Snapshot& snapshot)
   for (auto [body, within] :
        {std::pair{&fields.surfaces.lower, &fields.lower}, {&fields.surfaces.upper, &fields.upper}})
   {
-    const auto given = [](auto& field) { return [field = std::exchange(field, {})] { return field; }; };
+    const auto given = [grid = body->grid](std::vector<double>& field)
+    { return [grid, field = std::exchange(field, {})] { return LayeredFields(grid, {field}); }; };
+    const auto given_tensor = [grid = body->grid](simulation::TensorField& field) {
+      return [grid, field = std::exchange(field, {})] { return LayeredFields(grid, {field.begin(), field.end()}); };
+    };
     if (!body->equivalent_plastic_strain.empty())
       within->equivalent_plastic_strain = given(body->equivalent_plastic_strain);
     if (!body->temperature.empty())
       within->temperature = given(body->temperature);
     if (!body->plastic_strain[0].empty())
-      within->plastic_strain = given(body->plastic_strain);
+      within->plastic_strain = given_tensor(body->plastic_strain);
     if (!body->stress[0].empty())
-      within->stress = given(body->stress);
+      within->stress = given_tensor(body->stress);
   }
   return fields;
 }
