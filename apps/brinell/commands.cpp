@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 namespace brinell::app
@@ -77,7 +78,7 @@ void print_forecast(const io::Case& c, const io::ScenarioPlan& plan)
 int run_command(const RunArguments& arguments, const std::shared_ptr<const Communicator>& ranks)
 {
   const io::Case c = case_of(arguments);
-  require_shareable(c, *ranks);
+  require_shareable(c, ranks->size());
   const io::ScenarioPlan plan =
       io::plan_case(c, memory_of_machines(*ranks)); // throws before anything is written if the case cannot be computed
   std::vector<io::Warning> printed = c.warnings;
@@ -142,13 +143,18 @@ int run_command(const RunArguments& arguments, const std::shared_ptr<const Commu
   return exit_ok;
 }
 
-int check_command(const CaseArguments& arguments)
+int check_command(const CheckArguments& arguments)
 {
-  const io::Case c = io::read_case(arguments.file, arguments.overrides);
+  const io::Case c = io::read_case(arguments.input.file, arguments.input.overrides);
   print_warnings(c, c.warnings); // printed first, because they may explain why the plan fails
-  const io::ScenarioPlan plan = io::plan_case(c);
+  require_shareable(c, arguments.ranks);
+  const bool is_shared = arguments.ranks > 1;
+  const io::ScenarioPlan plan =
+      is_shared ? io::plan_case(c, std::numeric_limits<double>::infinity()) : io::plan_case(c);
+  const std::string of_ranks =
+      is_shared ? io::ranks_report(c, plan, arguments.ranks, arguments.machines) : std::string();
   print_warnings(c, new_warnings(c.warnings, io::expected_warnings(c, plan)));
-  fmt::print("{}", io::check_report(c, plan));
+  fmt::print("{}{}", io::check_report(c, plan), of_ranks);
   return exit_ok;
 }
 

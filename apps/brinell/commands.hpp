@@ -22,6 +22,12 @@ struct CaseArguments
   std::vector<std::string> overrides; ///< "key=value"
 };
 
+struct CheckArguments
+{
+  CaseArguments input;
+  int ranks = 1, machines = 1;
+};
+
 struct RunArguments
 {
   CaseArguments input;
@@ -56,7 +62,7 @@ struct CiteArguments
 /// Each returns the exit code and throws the errors of brinell.
 /// @param ranks  that compute the case together
 [[nodiscard]] int run_command(const RunArguments& arguments, const std::shared_ptr<const Communicator>& ranks);
-[[nodiscard]] int check_command(const CaseArguments& arguments);
+[[nodiscard]] int check_command(const CheckArguments& arguments);
 [[nodiscard]] int schema_command(const SchemaArguments& arguments);
 [[nodiscard]] int new_command(const NewArguments& arguments);
 [[nodiscard]] int cite_command(const CiteArguments& arguments);

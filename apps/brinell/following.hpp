@@ -35,7 +35,8 @@ public:
   {
     for (int time = 0; time < io::ResultDirectory::passes_of_checkpoint; ++time)
     {
-      Archive nowhere([](const std::string&, std::span<const double>) {});
+      Archive nowhere([](const std::string&, std::span<const double>) {},
+                      [](const std::string&, std::size_t, std::size_t, std::span<const double>) {});
       state(nowhere);
     }
   }

@@ -102,7 +102,19 @@ void declare_commands(CLI::App& app, Arguments& arguments)
   declare_run(app, arguments.run);
   auto* check =
       app.add_subcommand("check", "Show the resolved case, critical values, grids, memory and cost, without running");
-  add_case_arguments(*check, arguments.check);
+  add_case_arguments(*check, arguments.check.input);
+  CLI::Option* ranks =
+      check
+          ->add_option("--ranks", arguments.check.ranks,
+                       "Also show what each of N processes needs that compute the case together with MPI")
+          ->type_name("N")
+          ->check(CLI::Range(1, 1 << 20));
+  check
+      ->add_option("--machines", arguments.check.machines,
+                   "Machines like this one over which the ranks are spread; default: 1")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << 20))
+      ->needs(ranks);
   auto* schema = app.add_subcommand("schema", "List all keys of the case file with units, ranges and defaults");
   schema->add_option("key", arguments.schema.key, "Only this key, or the keys of this table: lower.material")
       ->type_name("KEY");

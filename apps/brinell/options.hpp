@@ -18,7 +18,7 @@ namespace brinell::app
 struct Arguments
 {
   RunArguments run;
-  CaseArguments check;
+  CheckArguments check;
   SchemaArguments schema;
   NewArguments create;
   CiteArguments cite;

@@ -230,9 +230,9 @@ double memory_of_machines(const Communicator& ranks)
   return sum;
 }
 
-void require_shareable(const io::Case& c, const Communicator& ranks)
+void require_shareable(const io::Case& c, int ranks)
 {
-  if (ranks.is_alone())
+  if (ranks == 1)
     return;
   std::string key;
   if (!c.output.points.empty())
@@ -245,7 +245,7 @@ void require_shareable(const io::Case& c, const Communicator& ranks)
   if (!key.empty())
     throw InputError(
         fmt::format("{}: {} is not available where {} processes compute a case together; allowed: one process",
-                    c.file.string(), key, ranks.size()));
+                    c.file.string(), key, ranks));
 }
 
 namespace

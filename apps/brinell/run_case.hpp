@@ -53,7 +53,7 @@ struct RunOptions
 /// Memory of the machines on which the ranks are [bytes].
 [[nodiscard]] double memory_of_machines(const Communicator& ranks);
 /// @throws InputError if several ranks cannot compute the case
-void require_shareable(const io::Case& c, const Communicator& ranks);
+void require_shareable(const io::Case& c, int ranks);
 
 /// Default folder of the results of a case.
 [[nodiscard]] std::filesystem::path default_folder(const io::Case& c);

@@ -113,6 +113,52 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+class MemoryOfRanks : public Program
+{
+protected:
+  /// A rough contact of 512 x 512 x 64 cells.
+  [[nodiscard]] Outcome check(const std::vector<std::string>& further) const
+  {
+    std::vector<std::string> all{"check", BRINELL_SOURCE_DIR "/cases/rough-plastic/case.toml",
+                                 "--set", "grid.cells=[512, 512]",
+                                 "--set", "grid.layer=\"0.56 um\""};
+    all.insert(all.end(), further.begin(), further.end());
+    return run(all);
+  }
+};
+
+TEST_F(MemoryOfRanks, IsNearlyItsShareOfThatOfOne)
+{
+  const auto megabytes = [&](const std::string& ranks)
+  {
+    const Outcome outcome = check({"--ranks", ranks, "--machines", ranks});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::smatch found;
+    if (!std::regex_search(outcome.out, found, std::regex("layers each, ([0-9.]+) (MB|GB) of memory each")))
+      return 0.0;
+    return std::stod(found[1]) * (found[2] == "GB" ? 1000.0 : 1.0);
+  };
+  const double two = megabytes("2"), four = megabytes("4"), eight = megabytes("8");
+  ASSERT_GT(eight, 0.0);
+  // What is not shared, the contact, is there once more for each.
+  EXPECT_LT(four, 0.56 * two);
+  EXPECT_LT(eight, 0.62 * four);
+  EXPECT_GT(four, 0.5 * two);
+  EXPECT_GT(eight, 0.5 * four);
+}
+
+TEST_F(MemoryOfRanks, IsRefusedIfAMachineHasLess)
+{
+  const std::vector<std::string> larger{"--set", "grid.cells=[4096, 4096]", "--ranks", "64"};
+  const Outcome refused = check(larger);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("64 ranks on a machine need"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("grid.cells"), std::string::npos) << refused.err;
+  EXPECT_EQ(check({"--machines", "4"}).exit_code, 2) << "of which ranks?";
+  const Outcome fatigue = run({"check", BRINELL_SOURCE_DIR "/cases/rolling-fatigue/case.toml", "--ranks", "2"});
+  EXPECT_EQ(fatigue.exit_code, 2) << "no ranks can share it";
+}
+
 } // namespace
 
 } // namespace brinell::cli::memory_test

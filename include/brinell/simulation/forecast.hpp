@@ -86,4 +86,10 @@ struct Forecast
 };
 [[nodiscard]] Forecast forecast(const Workload& work);
 
+/// Peak memory of the first of ranks that share the bodies of a case, which needs most [bytes]; with one rank that of a run.
+[[nodiscard]] double memory_of_rank(const Plan& plan, const PairCase& c, int ranks);
+
+/// Most numbers that a rank sends to others in an evaluation of all layers of both bodies, in bytes (docs/theory/ranks.md).
+[[nodiscard]] double bytes_sent_by_rank(const Plan& plan, int ranks);
+
 } // namespace brinell::simulation

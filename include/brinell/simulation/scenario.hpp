@@ -114,6 +114,7 @@ struct Plan
   elastoplastic::Twin twin = elastoplastic::Twin::none; ///< other than none: one body is solved
   halfspace::HeatTimes heat_times;                      ///< of heated bodies; zero without a speed
   bool is_textured = false;                             ///< whether a surface has a texture
+  int shears = 0;                                       ///< components of the shear between the bodies
   double contact_share = 1.0; ///< estimated share of a period in contact; 1 without an estimate
   double memory_bytes = 0.0;
   elastoplastic::Scales scales; ///< of the tolerances

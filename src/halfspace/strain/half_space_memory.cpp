@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_space_memory.hpp"
 
+#include "brinell/foundation/share.hpp"
 #include "foundation/fft.hpp"
 #include "foundation/lanes.hpp"
 
@@ -18,13 +19,14 @@ int blocks_at_a_time(int blocks, int threads)
   return blocks >= nearly_all * rounds * threads ? threads : 2;
 }
 
-MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
+MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int ranks)
 {
   // As in BlockedFft: blocks of wavenumbers along x, and rows along y with or without their padding. Rows of the strain share the
   // memory of the stress.
   const PaddedLengths padded = padded_lengths(grid.surface);
   const int along_x = padded.x / 2 + 1, along_y = padded.y / 2 + 1; // wavenumbers of half of the spectrum
-  const double blocks = std::ceil(along_x / static_cast<double>(lane_count));
+  const int of_all = (along_x + lane_count - 1) / lane_count;
+  const double blocks = Share(0, ranks).blocks(of_all).count();
   const double pitch = padded.y | 1;
   const double rows = grid.surface.ny;
   const double tractions = 1.0 + shears;
@@ -35,8 +37,10 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears)
   constexpr double images = 2.5e6;
   const double strained_blocks = std::max(2, blocks_at_a_time(static_cast<int>(blocks), omp_get_max_threads()));
   const double strain_and_stress = deviators * (blocks + strained_blocks) * pitch;
+  const double passed =
+      ranks > 1 ? rows * (Share(0, ranks).count(grid.nz) * of_all + grid.nz * blocks) : 0.0; // Exchange
   const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
-  return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images,
+  return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images + passed * sizeof(ComplexLanes),
           .work = (strain_and_stress + surface) * sizeof(ComplexLanes),
           .trace = grid.nz * blocks * pitch * sizeof(ComplexLanes)};
 }

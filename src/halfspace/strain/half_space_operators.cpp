@@ -40,6 +40,12 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
       eigenstrain_stress(volume, constants.top(), surface_fft, shortest),
       image_correction(volume, constants.top(), surface_fft)
 {
+  if (share.is_all())
+    return;
+  const Exchange largest = is_mirrored() ? exchange_mirrored(grid.nz) : exchange(volume_fft, grid.nz);
+  const Exchange of_trace = exchange(trace_fft, grid.nz);
+  passing.of_planes.resize(std::max(largest.size_of_planes(), of_trace.size_of_planes()));
+  passing.of_blocks.resize(std::max(largest.size_of_blocks(), of_trace.size_of_blocks()));
 }
 
 OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTraction<bool>& wanted) const
@@ -68,13 +74,6 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers(boo
     const std::size_t rows_of_block =
         std::max(volume_fft.rows_size(), mirrored_fft.rows_size()) / static_cast<std::size_t>(volume_fft.blocks());
     work->stress.resize(own_blocks * std::max(volume_fft.block_size(), rows_of_block));
-    if (!share.is_all())
-    {
-      const Exchange largest = is_mirrored() ? exchange_mirrored(grid.nz) : exchange(volume_fft, grid.nz);
-      const Exchange of_trace = exchange(trace_fft, grid.nz);
-      work->of_planes.resize(std::max(largest.size_of_planes(), of_trace.size_of_planes()));
-      work->of_blocks.resize(std::max(largest.size_of_blocks(), of_trace.size_of_blocks()));
-    }
     work->displacement_parts.resize(at_a_time * static_cast<std::size_t>(parts_for(grid.nz) * surface_fft.pitch()) *
                                     tractions.size());
   }

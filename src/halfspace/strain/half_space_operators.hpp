@@ -57,7 +57,6 @@ struct HalfSpace::Work::Buffers
   OfTraction<AlignedVector<ComplexLanes>> surface;           ///< spectra of a displacement, later of a traction
   AlignedVector<ComplexLanes> trace; ///< spectra of the trace of the stress, if they have been asked for
   ImageCorrection::Response images;
-  AlignedVector<ComplexLanes> of_planes, of_blocks;    ///< rows passed between ranks, see Exchange
   std::vector<CellRectangle> used;                     ///< of the strain loaded, [layer][component]
   Displacements displacements = Displacements::normal; ///< prepared
   int layers = 0;                                      ///< layers prepared
@@ -65,11 +64,7 @@ struct HalfSpace::Work::Buffers
   bool has_trace = false;                              ///< whether `trace` is that of the strain loaded
 
   /// The buffers that a guest borrows: their size per block does not depend on the number of columns.
-  static constexpr auto lent()
-  {
-    return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts, &Buffers::of_planes,
-                      &Buffers::of_blocks};
-  }
+  static constexpr auto lent() { return std::array{&Buffers::strain, &Buffers::stress, &Buffers::displacement_parts}; }
 
   /// Rows of the strain, between its transforms along x and y, are stored at the end of the memory of the stress: the rows of a
   /// block are read before the stress of this block is written, which ends before the rows of the next block begin.
@@ -92,6 +87,13 @@ struct HalfSpace::Operators
   Portion blocks;               ///< own ones
   EigenstrainStress eigenstrain_stress;
   ImageCorrection image_correction;
+  /// Rows on their way between ranks, see Exchange. Ranks pass one thing at a time, so that bodies which share the operators share
+  /// these buffers, too.
+  struct Passing
+  {
+    AlignedVector<ComplexLanes> of_planes, of_blocks;
+  };
+  mutable Passing passing;
 
   /// @param shortest  see EigenstrainStress
   Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by);

@@ -54,7 +54,7 @@ void HalfSpace::Operators::transform_strain_shared(std::span<const double> plast
 #pragma omp for schedule(static)
     for (int own_unit = 0; own_unit < passed.own_units(); ++own_unit)
     {
-      ComplexLanes* const out = work.of_planes.data() + own_unit * rows;
+      ComplexLanes* const out = passing.of_planes.data() + own_unit * rows;
       if (halves)
       {
         const Dealt pairs(share.ranks(), 1);
@@ -74,11 +74,11 @@ void HalfSpace::Operators::transform_strain_shared(std::span<const double> plast
       image_correction.find_moments_of_layer(strain, used, plane, layer, work.images);
       volume_fft.rows_forward_to(strain, out, apart, scratch.fft);
     }
-    by_one_thread([&] { passed.to_blocks(work.of_planes.data(), work.of_blocks.data()); });
+    by_one_thread([&] { passed.to_blocks(passing.of_planes.data(), passing.of_blocks.data()); });
 #pragma omp for schedule(static)
     for (int block = blocks.first; block < blocks.end; ++block)
       for (int unit = 0; unit < units; ++unit)
-        std::copy_n(work.of_blocks.data() + passed.place(unit, block), rows,
+        std::copy_n(passing.of_blocks.data() + passed.place(unit, block), rows,
                     strain_rows +
                         (static_cast<std::ptrdiff_t>(block - blocks.first) * planes_of_all + planes * unit + plane) *
                             rows);
@@ -155,13 +155,13 @@ void HalfSpace::Operators::invert_shared(int component, int layers, const OfTrac
                             column, next_block(fft, block, column), sum);
         column = sum;
       }
-      surface_fft.columns_inverse(column, 0, 0, work.of_blocks.data() + passed.place(layer, block), scratch.fft,
+      surface_fft.columns_inverse(column, 0, 0, passing.of_blocks.data() + passed.place(layer, block), scratch.fft,
                                   is_odd);
     }
-  passed.to_planes(work.of_blocks.data(), work.of_planes.data());
+  passed.to_planes(passing.of_blocks.data(), passing.of_planes.data());
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (int own_layer = 0; own_layer < passed.own_units(); ++own_layer)
-    surface_fft.rows_inverse_from(work.of_planes.data() + own_layer * rows, {passed.apart(), false},
+    surface_fft.rows_inverse_from(passing.of_planes.data() + own_layer * rows, {passed.apart(), false},
                                   fields + static_cast<std::size_t>(place * own.nz + own_layer) * grid.surface.size(),
                                   work.threads[static_cast<std::size_t>(omp_get_thread_num())].fft);
 }
@@ -212,10 +212,10 @@ void HalfSpace::Operators::add_load_and_invert_mirrored_shared(const OfTraction<
         const ComplexLanes* second = plane.second.is_there()
                                          ? total_stress(block, plane.second, kernels, work, scratch.of_parts[1].data())
                                          : nullptr;
-        mirrored_fft.columns_inverse_to(plane, first, second, work.of_blocks.data() + passed.place(group, block),
+        mirrored_fft.columns_inverse_to(plane, first, second, passing.of_blocks.data() + passed.place(group, block),
                                         scratch);
       }
-    passed.to_planes(work.of_blocks.data(), work.of_planes.data());
+    passed.to_planes(passing.of_blocks.data(), passing.of_planes.data());
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (int own_group = 0; own_group < passed.own_units(); ++own_group)
     {
@@ -223,7 +223,7 @@ void HalfSpace::Operators::add_load_and_invert_mirrored_shared(const OfTraction<
       if (plane.is_empty())
         continue;
       own_mirrored_fft.rows_inverse_from(
-          plane, work.of_planes.data() + static_cast<std::ptrdiff_t>(own_group) * mirrored_fft.rows(),
+          plane, passing.of_planes.data() + static_cast<std::ptrdiff_t>(own_group) * mirrored_fft.rows(),
           {passed.apart(), false}, stress.data(),
           work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored);
       for (const MirroredFft::Part& part : {plane.first, plane.second})

@@ -2,9 +2,11 @@
 #include "brinell/io/feasibility.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/foundation/share.hpp"
 #include "brinell/io/forecast.hpp"
 #include "brinell/io/member_keys.hpp"
 #include "brinell/quality/quality.hpp"
+#include "brinell/simulation/forecast.hpp"
 #include "io/scenarios/scenario_io.hpp"
 #include "result_size.hpp"
 
@@ -181,6 +183,28 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                              result_report(c, plan) + remark(left_out_text(c, plan)) + quality_report(scenario, p);
                     },
                     c.scenario);
+}
+
+std::string ranks_report(const Case& c, const ScenarioPlan& plan, int ranks, int machines, double available_memory)
+{
+  const auto& p = std::visit([](const auto& any) -> const simulation::Plan& { return any; }, plan);
+  const double each =
+      std::visit([&](const auto& scenario) { return simulation::memory_of_rank(p, scenario, ranks); }, c.scenario);
+  const int together = (ranks + machines - 1) / machines; // ranks of a machine
+  if (together * each > available_memory)
+    throw InputError(
+        fmt::format("{}: {} ranks on a machine need {} of memory each, {} in all, and it has {}; allowed: more "
+                    "machines with fewer ranks each, larger cells, or a smaller interference, load or track",
+                    c.grid_source, together, size_text(each), size_text(together * each), size_text(available_memory)));
+  const int layers = std::max(p.lower.nz, p.upper.nz), own = Share(0, ranks).count(layers);
+  std::string text = fmt::format(
+      "# Ranks: {} with at most {} of {} layers each, {} of memory each; {} pass from a rank to others per evaluation; "
+      "not less than {} of the time of one core\n",
+      ranks, own, layers, size_text(each), size_text(simulation::bytes_sent_by_rank(p, ranks)),
+      fmt::format("{:.2g} %", 100.0 * own / layers));
+  if (const int pairs = (layers + 1) / 2; ranks > pairs)
+    text += fmt::format("# Ranks: {} of them have no layers, which are dealt out in pairs\n", ranks - pairs);
+  return text;
 }
 
 } // namespace brinell::io

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <exception>
 #include <fmt/format.h>
+#include <omp.h>
 #include <zlib.h>
 
 /// Attributes and datasets.
@@ -355,7 +356,8 @@ std::vector<Slab> slabs(const std::array<std::size_t, 3>& shape)
 void write_fields(const Handle& group, const LayeredFields& fields, std::span<const char* const> names,
                   std::span<const std::string> long_names, std::string_view units, Storage storage, Precision precision)
 {
-  constexpr std::size_t numbers_at_once = std::size_t{1} << 22; // enough chunks for all threads
+  constexpr std::size_t numbers_of_chunk = 64 * 64 * 64; // of the largest
+  const std::size_t numbers_at_once = numbers_of_chunk * static_cast<std::size_t>(omp_get_max_threads());
   const Datasets datasets(group, fields.shape(), names, long_names, units, storage, precision);
   std::vector<Part> parts;
   std::size_t numbers = 0;

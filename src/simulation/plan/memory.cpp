@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "memory.hpp"
 
+#include "brinell/foundation/share.hpp"
+#include "brinell/simulation/forecast.hpp"
 #include "elastoplastic/body/window.hpp"
 #include "foundation/fft.hpp"
+#include "foundation/lanes.hpp"
 #include "halfspace/heat/images_of_heat.hpp"
 #include "halfspace/strain/half_space_memory.hpp"
+#include "heat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +24,13 @@ double field_bytes(const VolumeGrid& grid, double fields)
   return fields * sizeof(double) * static_cast<double>(grid.size());
 }
 
+/// The layers of the first of ranks that share a body: no other one has more.
+VolumeGrid own_layers(VolumeGrid grid, int ranks)
+{
+  grid.nz = Share(0, ranks).count(grid.nz);
+  return grid;
+}
+
 /// Values per cell in a checkpoint: plastic strain, its equivalent, stress, the guess of the next step, and back stresses.
 double fields_of_state(const constitutive::Material& material)
 {
@@ -27,21 +38,22 @@ double fields_of_state(const constitutive::Material& material)
 }
 
 /// Kernels and transforms of a body, which bodies of the same cells and elastic constants share.
-double operator_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+double operator_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears, int ranks)
 {
-  return material.elastic.is_rigid() ? 0.0 : halfspace::memory_of_half_space(grid, shears).operators;
+  return material.elastic.is_rigid() ? 0.0 : halfspace::memory_of_half_space(grid, shears, ranks).operators;
 }
 
 /// A body that is solved, between increments.
-double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+double body_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears, int ranks)
 {
   constexpr double fields_of_elastic_body = 6.0; // plastic strain and its equivalent, which are zero
   if (material.elastic.is_rigid())
     return 0.0;
   if (!material.is_plastic())
-    return field_bytes(grid, fields_of_elastic_body);
+    return field_bytes(own_layers(grid, ranks), fields_of_elastic_body);
   constexpr double flags = 0.125;
-  return halfspace::memory_of_half_space(grid, shears).work + field_bytes(grid, fields_of_state(material) + flags);
+  return halfspace::memory_of_half_space(grid, shears, ranks).work +
+         field_bytes(own_layers(grid, ranks), fields_of_state(material) + flags);
 }
 
 /// How far the elastic pressure of smooth bodies is above that at first yield; of textured ones it is not known.
@@ -54,7 +66,7 @@ double over_yield(const Plan& plan)
 /// The longest window of a body: its operators, the stress in it, and the changes of strain and stress. Its length follows from an
 /// estimate: contact and flow of a step reach over about two thirds of the grid of the contact (measured).
 double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive::Material& material,
-                    const elastoplastic::Settings& solver, int shears)
+                    const elastoplastic::Settings& solver, int shears, int ranks)
 {
   constexpr double of_contact = 0.65, begins_to_yield = 0.9;
   constexpr int elastic_steps = 2; // the steps before the first flow request no window
@@ -68,7 +80,7 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
   VolumeGrid part = grid;
   part.surface.nx = elastoplastic::length_of_window(*window, grid.surface.nx);
   constexpr double fields = 15.0;
-  return halfspace::memory_of_half_space(part, shears).operators + field_bytes(part, fields);
+  return halfspace::memory_of_half_space(part, shears, ranks).operators + field_bytes(own_layers(part, ranks), fields);
 }
 
 /// Share of the cells near yield, an estimate from measured runs: a plastic zone fills a smaller share of a volume than of a plane
@@ -86,7 +98,7 @@ double share_near_yield(const VolumeGrid& grid, const Plan& plan)
 
 /// Active cells in an increment, with the history of the acceleration. Without short cuts all cells are active.
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
-                   const elastoplastic::Settings& solver, const Plan& plan)
+                   const elastoplastic::Settings& solver, const Plan& plan, int ranks)
 {
   const double computed = plan.contact.is_mirrored_y ? 0.5 : 1.0;
   const double active_share = solver.shortcuts ? share_near_yield(grid, plan) : computed;
@@ -94,26 +106,22 @@ double trial_bytes(const VolumeGrid& grid, const constitutive::Material& materia
   constexpr double limit = 0.0101;
   const double more_history = plan.scales.displacement <= limit * plan.scales.gap ? 4.0 : 1.0;
   const double values_per_cell = 5.0 * (3.0 * more_history * solver.anderson_depth + 11.0);
-  return material.is_plastic() ? field_bytes(grid, active_share * values_per_cell) : 0.0;
+  return material.is_plastic() ? field_bytes(own_layers(grid, ranks), active_share * values_per_cell) : 0.0;
 }
 
-/// Output of a body. Its fields are computed and written one after the other; the stress needs the most memory.
-double output_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
+/// Output of a body. Its fields are computed and written one after the other; the stress needs the most memory. Ranks pass a row of
+/// chunks at a time. A checkpoint is written and read field by field, or layer by layer.
+double output_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears, int ranks)
 {
   if (material.elastic.is_rigid())
     return 0.0;
-  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears);
+  constexpr double chunk = 64.0, copies = 2.0; // cells along y and z
+  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears, ranks);
   const double work = material.is_plastic() ? 0.0 : half_space.work; // allocated only for the output
-  return std::max(field_bytes(grid, 6.0) + work + half_space.trace, field_bytes(grid, 12.0));
-}
-
-/// The checkpoint from which a run resumes, read before the buffers of the operators exist. Writing needs no copy in memory.
-double checkpoint_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears)
-{
-  if (!material.is_plastic())
-    return 0.0;
-  const double state = field_bytes(grid, fields_of_state(material));
-  return std::max(0.0, state - halfspace::memory_of_half_space(grid, shears).work);
+  const double row = std::min(chunk, 1.0 * grid.nz) * std::min(chunk, 1.0 * grid.surface.ny) * grid.surface.nx;
+  const double passed = ranks > 1 ? copies * row * sizeof(double) : 0.0;
+  const VolumeGrid own = own_layers(grid, ranks);
+  return passed + std::max(field_bytes(own, 6.0) + work + half_space.trace, field_bytes(own, 12.0));
 }
 
 /// Heat in the steady regime: temperature and stress in each layer, as spectra, as the tables from which they are made, and
@@ -191,11 +199,12 @@ double growth_of_line(double over_yield)
 double MemoryParts::total() const
 {
   constexpr double program = 17e6; // with its libraries and the writers of files
-  return program + growth * (contact + operators + bodies + windows + heat + std::max({trials, output, checkpoint}));
+  return program + growth * (contact + operators + bodies + windows + heat + std::max(trials, output));
 }
 
 MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
-                         const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
+                         const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat,
+                         int ranks)
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
   const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
@@ -205,24 +214,48 @@ MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, 
   for (const auto& [grid, material] : {std::pair{&plan.lower, &lower}, {&plan.upper, &upper}})
   {
     if (!plan.surfaces_only)
-      parts.output = std::max(parts.output, output_bytes(*grid, *material, shears));
+      parts.output = std::max(parts.output, output_bytes(*grid, *material, shears, ranks));
     if (!plan.surfaces_only && (grid == &plan.lower || !shares_operators))
-      parts.operators += operator_bytes(*grid, *material, shears);
+      parts.operators += operator_bytes(*grid, *material, shears, ranks);
     if (has_twin && grid == &plan.upper)
       continue;
-    parts.bodies += body_bytes(*grid, *material, shears);
+    parts.bodies += body_bytes(*grid, *material, shears, ranks);
     parts.heat += heat ? heat_bytes(*grid, *material, solver, plan, *heat) : 0.0;
-    parts.trials += trial_bytes(*grid, *material, solver, plan);
-    parts.windows += window_bytes(plan, *grid, *material, solver, shears);
-    parts.checkpoint += checkpoint_bytes(*grid, *material, shears);
+    parts.trials += trial_bytes(*grid, *material, solver, plan, ranks);
+    parts.windows += window_bytes(plan, *grid, *material, solver, shears, ranks);
   }
   return parts;
 }
 
 double memory_bytes(const Plan& plan, const constitutive::Material& lower, const constitutive::Material& upper,
-                    const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat)
+                    const elastoplastic::Settings& solver, int shears, const elastoplastic::HeatSettings* heat,
+                    int ranks)
 {
-  return memory_parts(plan, lower, upper, solver, shears, heat).total();
+  return memory_parts(plan, lower, upper, solver, shears, heat, ranks).total();
+}
+
+double bytes_sent_by_rank(const Plan& plan, int ranks)
+{
+  double bytes = 0.0;
+  for (const VolumeGrid* grid : {&plan.lower, &plan.upper})
+  {
+    if (plan.surfaces_only || (plan.twin != elastoplastic::Twin::none && grid == &plan.upper))
+      continue;
+    // Five components of strain there, five of stress back, of the own layers; a complex number per wavenumber and row.
+    constexpr double components = 10.0, bytes_of_number = 16.0;
+    const int wavenumbers = padded_lengths(grid->surface).x / 2 + 1;
+    const int blocks = (wavenumbers + lane_count - 1) / lane_count;
+    const int elsewhere = blocks - Share(0, ranks).blocks(blocks).count();
+    bytes += components * bytes_of_number * Share(0, ranks).count(grid->nz) * grid->surface.independent_rows() *
+             elsewhere * lane_count;
+  }
+  return bytes;
+}
+
+double memory_of_rank(const Plan& plan, const PairCase& c, int ranks)
+{
+  return memory_bytes(plan, c.lower.material, c.upper.material, c.solver, plan.shears, is_heated(c) ? &c.heat : nullptr,
+                      ranks);
 }
 
 } // namespace brinell::simulation

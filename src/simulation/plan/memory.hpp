@@ -22,24 +22,24 @@ struct MemoryParts
   double windows = 0.0;
   double heat = 0.0;
   // One after the other:
-  double trials = 0.0;     ///< within an increment
-  double output = 0.0;     ///< while fields are written
-  double checkpoint = 0.0; ///< while a run is resumed
+  double trials = 0.0; ///< within an increment
+  double output = 0.0; ///< while fields are written
 
   [[nodiscard]] double total() const; ///< peak, with the program itself
 };
 
 [[nodiscard]] MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower,
                                        const constitutive::Material& upper, const elastoplastic::Settings& solver,
-                                       int shears, const elastoplastic::HeatSettings* heat);
+                                       int shears, const elastoplastic::HeatSettings* heat, int ranks = 1);
 
 /// Peak memory of a run, including the program itself [bytes].
 /// @param lower, upper  materials of the bodies
 /// @param solver        of the increments
 /// @param shears        number of components of the shear between the bodies, 0 to 2
 /// @param heat          settings of heat, in bodies that have thermal constants; nullptr: heat is not computed
+/// @param ranks         that share the bodies: the memory of the first of them, which needs most. Each has all of contact and heat.
 [[nodiscard]] double memory_bytes(const Plan& plan, const constitutive::Material& lower,
                                   const constitutive::Material& upper, const elastoplastic::Settings& solver,
-                                  int shears, const elastoplastic::HeatSettings* heat);
+                                  int shears, const elastoplastic::HeatSettings* heat, int ranks = 1);
 
 } // namespace brinell::simulation

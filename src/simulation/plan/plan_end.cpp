@@ -22,9 +22,9 @@ void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<ha
   if (heats)
     plan.heat_times = heat_times();
   plan.is_textured = !are_smooth(c.lower, c.upper);
-  const int shears = c.friction.coefficient > 0.0 ? (sticks ? 2 : 1) : (heats ? 1 : 0);
+  plan.shears = c.friction.coefficient > 0.0 ? (sticks ? 2 : 1) : (heats ? 1 : 0);
   plan.memory_bytes =
-      memory_bytes(plan, c.lower.material, c.upper.material, c.solver, shears, heats ? &c.heat : nullptr);
+      memory_bytes(plan, c.lower.material, c.upper.material, c.solver, plan.shears, heats ? &c.heat : nullptr);
 }
 
 } // namespace brinell::simulation

@@ -362,8 +362,9 @@ double Stepper::memory_of(const Plan& plan) const
 {
   const bool has_shear = setup_.sliding.friction.coefficient > 0.0 || setup_.sliding.heat;
   const int shears = has_shear ? (setup_.sliding.sticks ? 2 : 1) : 0;
-  return simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver, shears,
-                                  setup_.sliding.heat ? &setup_.sliding.heat->settings : nullptr);
+  const int ranks = setup_.watch.ranks ? setup_.watch.ranks->size() : 1;
+  return ranks * simulation::memory_bytes(plan, setup_.lower, setup_.upper, setup_.solver, shears,
+                                          setup_.sliding.heat ? &setup_.sliding.heat->settings : nullptr, ranks);
 }
 
 void Stepper::announce(const Plan& larger)
