@@ -39,7 +39,7 @@ MpiDefault=none
 ReturnToService=2
 KillWait=5
 MaxArraySize={largest}
-NodeName={host} NodeAddr=127.0.0.1 CPUs={cpus} State=UNKNOWN
+NodeName={host} NodeAddr=127.0.0.1 CPUs={cpus} RealMemory={memory} State=UNKNOWN
 PartitionName=short Nodes={host} Default=YES MaxTime=60 State=UP
 """
 
@@ -54,7 +54,7 @@ def reason_to_skip() -> str:
 
 
 @contextlib.contextmanager
-def slurm_here(folder: Path) -> Iterator[None]:
+def slurm_here(folder: Path, *, largest_array: int = LARGEST_ARRAY) -> Iterator[None]:
     """Slurm with one node, this machine, while the context lasts. Its state is in the folder.
 
     Raises:
@@ -71,7 +71,13 @@ def slurm_here(folder: Path) -> Iterator[None]:
     conf = folder / "slurm.conf"
     conf.write_text(
         _CONF.format(
-            host=host, folder=folder, port=ports[0], other_port=ports[1], cpus=os.cpu_count(), largest=LARGEST_ARRAY
+            host=host,
+            folder=folder,
+            port=ports[0],
+            other_port=ports[1],
+            cpus=os.cpu_count(),
+            memory=os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20,  # [MiB], which jobs ask for
+            largest=largest_array,
         )
     )
     before = {name: os.environ.get(name) for name in ("PATH", "SLURM_CONF")}

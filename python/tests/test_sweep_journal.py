@@ -88,9 +88,9 @@ def test_a_full_disk_is_told(tmp_path: Path) -> None:
 def test_a_line_of_another_case_is_not_taken() -> None:
     base = Case(CASE)
     entry = json.loads(json.dumps(case_key(base.to_toml())))
-    assert is_of(entry, base.to_toml())
-    assert not is_of(entry, base.with_values({"tugging.interference": 3}).to_toml())
-    finer = base.with_values({"grid.resolution": 3}).to_toml()
+    assert is_of(entry, case_key(base.to_toml()))
+    assert not is_of(entry, case_key(base.with_values({"tugging.interference": 3}).to_toml()))
+    finer = case_key(base.with_values({"grid.resolution": 3}).to_toml())
     assert not is_of(entry, finer)
     assert is_of(entry, finer, ["grid.resolution"])
 

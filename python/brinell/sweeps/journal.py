@@ -20,7 +20,17 @@ from brinell._toml import tomllib
 from brinell.errors import IoError
 from brinell.sweeps.point import HARMLESS, Outcome, Task
 
-__all__ = ["Journal", "JournalReader", "attempts", "case_key", "is_of", "journal_folder", "outcome_of", "write_journal"]
+__all__ = [
+    "Journal",
+    "JournalReader",
+    "attempts",
+    "case_key",
+    "is_of",
+    "journal_folder",
+    "key_of",
+    "outcome_of",
+    "write_journal",
+]
 
 _NUMERICAL = ("grid", "solver")
 """Tables of a case that belong to the numerical method."""
@@ -33,8 +43,13 @@ def journal_folder(path: Path) -> Path:
 
 def case_key(text: str) -> dict[str, Any]:
     """What identifies the case of a run: a digest of the physical problem, and its tables grid and solver."""
-    case = tomllib.loads(text)
-    numerical = {name: dict(case.pop(name, {})) for name in _NUMERICAL}
+    return key_of(tomllib.loads(text))
+
+
+def key_of(case: Mapping[str, Any]) -> dict[str, Any]:
+    """What identifies a case that has been parsed."""
+    numerical = {name: dict(case.get(name, {})) for name in _NUMERICAL}
+    case = {name: value for name, value in case.items() if name not in _NUMERICAL}
     for key in HARMLESS:
         table, _, name = key.partition(".")
         numerical.get(table, {}).pop(name, None)
@@ -42,9 +57,14 @@ def case_key(text: str) -> dict[str, Any]:
     return {"physics": physics, "numerical": numerical}
 
 
-def is_of(entry: Mapping[str, Any], text: str, other: Collection[str] = ()) -> bool:
-    """Whether a line of a journal is of exactly this case, except for the dotted keys `other` of grid and solver."""
-    now = case_key(text)
+def is_of(entry: Mapping[str, Any], now: Mapping[str, Any], other: Collection[str] = ()) -> bool:
+    """Whether a line of a journal is of exactly a case, except for the dotted keys `other` of grid and solver.
+
+    Args:
+        entry: the line.
+        now: what identifies the case, as `case_key` returns it.
+        other: keys that may differ.
+    """
     if entry.get("physics") != now["physics"]:
         return False
 
@@ -93,9 +113,15 @@ class Journal:
         """Notes that the process of a run died."""
         self._append({"lost": task.index, "what": what})
 
-    def add(self, outcome: Outcome, text: str) -> None:
-        """Notes the outcome of a finished or failed run of the case `text`."""
-        self._append(_entry_of(outcome, text))
+    def add(self, outcome: Outcome, text: str, key: Mapping[str, Any] | None = None) -> None:
+        """Notes the outcome of a finished or failed run.
+
+        Args:
+            outcome: the outcome.
+            text: text of the case.
+            key: what identifies the case, if that is known: parsing a text takes a millisecond.
+        """
+        self._append(_entry_of(outcome, text, key))
 
     def _append(self, entry: Mapping[str, Any]) -> None:
         line = json.dumps(entry).encode() + b"\n"
@@ -113,13 +139,13 @@ class Journal:
         self._begun = True
 
 
-def _entry_of(outcome: Outcome, text: str) -> dict[str, Any]:
+def _entry_of(outcome: Outcome, text: str, key: Mapping[str, Any] | None) -> dict[str, Any]:
     """The line that tells an outcome of the case `text`."""
     entry: dict[str, Any] = {"index": outcome.index, "status": outcome.status, "wall_time": outcome.wall_time}
     if outcome.status == "failed":
         return entry | {"reason": outcome.reason, "traceback": outcome.traceback}
     summary = {key: value for key, value in outcome.summary.items() if key != "case"}
-    return entry | case_key(text) | {"summary": summary, "numbers": outcome.numbers}
+    return entry | {**(key or case_key(text))} | {"summary": summary, "numbers": outcome.numbers}
 
 
 def write_journal(file: Path, entries: Iterable[Mapping[str, Any]]) -> None:

@@ -15,7 +15,7 @@ import pandas as pd
 from brinell._toml import tomllib
 from brinell.sweeps.designs import Point
 from brinell.sweeps.folder import flattened, read_failures, run_folder, write_failures, write_table
-from brinell.sweeps.journal import Journal, JournalReader, is_of, journal_folder, outcome_of, write_journal
+from brinell.sweeps.journal import Journal, JournalReader, is_of, journal_folder, key_of, outcome_of, write_journal
 from brinell.sweeps.lists import entry_of
 from brinell.sweeps.point import Outcome, Task, finished_summary
 
@@ -53,6 +53,8 @@ class Ledger:
         self._texts = texts
         self._changed = sorted(changed)
         self._kept = range(len(texts)) if kept is None else frozenset(kept)
+        self._keys: dict[int, dict[str, Any]] = {}
+        self._of_axes: dict[int, dict[str, Any]] = {}
         self._rows: dict[int, dict[str, Any]] = {}
         self._failures: dict[str, Any] = read_failures(path)
         self._next_writing = 0.0
@@ -90,7 +92,7 @@ class Ledger:
                 continue
             if entry["status"] == "done":
                 is_there = index not in self._kept or run_folder(self._path, index).exists()
-                if not is_there or not is_of(entry, self._texts[index], self._changed):
+                if not is_there or not is_of(entry, self._key(index), self._changed):
                     continue
             if index not in self._rows:
                 new.append(index)
@@ -125,7 +127,7 @@ class Ledger:
                         continue
                     if index in kept_lines or index in self._kept or entry.get("status") != "done":
                         continue
-                    if self._is_done(index) and is_of(entry, self._texts[index], self._changed):
+                    if self._is_done(index) and is_of(entry, self._key(index), self._changed):
                         kept_lines[index] = None
                         yield entry
 
@@ -174,7 +176,7 @@ class Ledger:
     def add(self, outcome: Outcome, text: str) -> None:
         """Adds the outcome of a finished or failed run of the case `text`."""
         if self.journal is not None and outcome.index not in self._kept and outcome.status == "done":
-            self.journal.add(outcome, text)
+            self.journal.add(outcome, text, self._key(outcome.index))
         self._put(outcome)
         now = time.perf_counter()
         if now >= self._next_writing:
@@ -185,11 +187,10 @@ class Ledger:
     def _put(self, outcome: Outcome) -> None:
         index = outcome.index
         row: dict[str, Any] = {"index": index}
-        case = tomllib.loads(self._texts[index])
-        for key, given in self._points[index].items():
-            row[key] = _cell(_at(case, key, given))
+        row |= self._values(index)
         for key in self._changed:
-            row[key] = _cell(_at(outcome.summary.get("case", case), key, None))
+            case = outcome.summary.get("case") or tomllib.loads(self._texts[index])
+            row[key] = _cell(_at(case, key, None))
         row |= {
             "status": outcome.status,
             "reason": outcome.reason,
@@ -208,6 +209,24 @@ class Ledger:
             self.numbers[index] = outcome.numbers
         results = {key: value for key, value in outcome.summary.items() if key not in _NOT_RESULTS}
         self._rows[index] = row | flattened(results)
+
+    def _key(self, index: int) -> dict[str, Any]:
+        """What identifies the case of a run."""
+        if index not in self._keys:
+            self._read_case(index)
+        return self._keys[index]
+
+    def _values(self, index: int) -> dict[str, Any]:
+        """Values of the axes of a run."""
+        if index not in self._of_axes:
+            self._read_case(index)
+        return self._of_axes[index]
+
+    def _read_case(self, index: int) -> None:
+        """Takes from the text of a case what is needed of it, at once: parsing takes a millisecond."""
+        case = tomllib.loads(self._texts[index])
+        self._keys[index] = key_of(case)
+        self._of_axes[index] = {key: _cell(_at(case, key, given)) for key, given in self._points[index].items()}
 
     def _folder(self, index: int) -> str:
         """Folder of a run as in the table; empty if there is none."""

@@ -10,12 +10,15 @@ import warnings
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from brinell._toml import tomllib
-from brinell.case import Case, CaseWarning, ResolutionWarning
 from brinell.errors import BrinellError, GridError, InputError, IoError
-from brinell.results import RunError, open_run
+
+# Cases and results are imported where a run is computed: a process that only tells others what to do starts without
+# them in a fifth of the time, and a job array starts one for each of its tasks.
+if TYPE_CHECKING:
+    from brinell.case import Case
 
 __all__ = ["HARMLESS", "ONE_AT_A_TIME", "Outcome", "Task", "compute", "finished_summary", "stopped"]
 
@@ -107,6 +110,8 @@ def finished_summary(folder: str | Path, text: str, other: Collection[str] = ())
         text: text of the case with all defaults filled in.
         other: dotted keys in which the run may differ from the case.
     """
+    from brinell.results import RunError, open_run
+
     try:
         summary = open_run(folder).summary
     except (RunError, OSError):
@@ -127,6 +132,8 @@ def _without(case: Mapping[str, Any], keys: Collection[str]) -> dict[str, Any]:
 
 
 def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
+    from brinell.case import ResolutionWarning
+
     began = False
 
     def on_step(*_: object) -> None:
@@ -142,6 +149,7 @@ def _run(task: Task, wants_stop: Callable[[], bool]) -> None:
 
 def _run_in_memory(task: Task, wants_stop: Callable[[], bool]) -> tuple[dict[str, Any], dict[str, dict[str, Any]]]:
     """Summary of the run and numbers of it; nothing else is kept."""
+    from brinell.case import ResolutionWarning
 
     def on_step(*_: object) -> None:
         if wants_stop():
@@ -158,6 +166,8 @@ def _run_in_memory(task: Task, wants_stop: Callable[[], bool]) -> tuple[dict[str
 
 
 def _case(task: Task) -> Case:
+    from brinell.case import Case, CaseWarning
+
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", CaseWarning)  # issued once, before the first run
         return Case(task.text, file=Path(task.folder) / "case.toml")
