@@ -6,10 +6,10 @@
 
 Modules, from the bottom up: `axes` (varied keys), `designs` (points), `lists` (axes over entries of lists), `point`
 (one run in a worker), `pools` (processes), `loop` (keeps a pool busy), `journal` (what became of each run, line by
-line), `clusters` (workers of Dask), `slurm`, `arrays`, `task`, `submission` (job arrays: Slurm's commands, their
-folders, a task on a node, the process that waits), `kept` (folders that are asked for), `folder`, `ledger` (files and
-table of a sweep), `numbers` (further columns), `result` (a finished sweep), `driver` (the function `sweep`), `cli`
-(the command).
+line), `jobs`, `clusters` (workers of Dask), `slurm`, `arrays`, `task`, `submission` (job arrays: Slurm's commands,
+their folders, a task on a node, the process that waits), `site` (a site's options for both), `kept` (folders that are
+asked for), `folder`, `ledger` (files and table of a sweep), `numbers` (further columns), `result` (a finished sweep),
+`driver` (the function `sweep`), `cli` (the command).
 """
 
 from importlib import import_module
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from brinell.sweeps.driver import sweep
     from brinell.sweeps.numbers import residual_stress
     from brinell.sweeps.result import Sweep, open_sweep
+    from brinell.sweeps.site import Site, read_site
     from brinell.sweeps.slurm import Slurm
 
 __all__ = [
@@ -31,9 +32,11 @@ __all__ = [
     "Cluster",
     "Design",
     "Range",
+    "Site",
     "Slurm",
     "Sweep",
     "open_sweep",
+    "read_site",
     "residual_stress",
     "sweep",
 ]
@@ -45,6 +48,7 @@ _MODULES = {
     "driver": "sweep",
     "numbers": "residual_stress",
     "result": "Sweep open_sweep",
+    "site": "Site read_site",
     "slurm": "Slurm",
 }
 """Public names by the module that they are from."""

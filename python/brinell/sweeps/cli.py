@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import signal
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
@@ -18,6 +18,9 @@ from brinell._toml import tomllib
 from brinell.case import Case
 from brinell.commands import reports_warnings
 from brinell.errors import InputError
+
+if TYPE_CHECKING:
+    from brinell.sweeps import Site
 
 __all__ = ["command"]
 
@@ -76,6 +79,14 @@ _DESIGNS = {"grid": "grid", "list": "list", "latin-hypercube": "latin_hypercube"
     metavar="NAME=VALUE",
     help="Argument of the class of the cluster: cores=8, memory='16 GB', walltime='04:00:00'.",
 )
+@click.option(
+    "--site",
+    type=click.Path(path_type=Path),
+    envvar="BRINELL_SITE",
+    metavar="FILE.toml",
+    help="File with the options of this site for --submit and --cluster, to which those of the command are added. "
+    "Default: the file that the environment variable BRINELL_SITE names.",
+)
 @click.option("--jobs", type=click.IntRange(min=1), help="Number of jobs of a cluster that is started.")
 @click.option(
     "--submit",
@@ -125,6 +136,7 @@ def command(
     threads: int | None,
     cluster: str | None,
     cluster_options: tuple[str, ...],
+    site: Path | None,
     jobs: int | None,
     submit: str | None,
     options: tuple[str, ...],
@@ -149,13 +161,16 @@ def command(
     # A pipe to a worker that was killed must not end this process, too.
     signal.signal(signal.SIGPIPE, signal.SIG_IGN)
     try:
-        from brinell.sweeps import Slurm, sweep
+        from brinell.sweeps import Site, Slurm, read_site, sweep
         from brinell.sweeps.driver import dry_run as planned
 
         given = {"--slurm": options, "--preamble": preamble, "--at-once": at_once, "--no-wait": no_wait}
         if submit is None and (needless := [name for name, value in given.items() if value]):
             raise InputError(f"{needless[0]} has no meaning without --submit slurm")
-        wanted = None if submit is None else Slurm(options, preamble, chunk, at_once, wait=not no_wait)
+        of_site = Site() if site is None else read_site(site)
+        wanted = None
+        if submit is not None:
+            wanted = of_site.with_slurm(Slurm(options, preamble, chunk, at_once, wait=not no_wait))
         varied: dict[str, Any] = {"design": _DESIGNS[design], "samples": samples, "seed": seed}
         with reports_warnings():
             base = Case.from_file(case, overrides)
@@ -168,7 +183,7 @@ def command(
                 output=output,
                 workers=workers,
                 threads=threads,
-                cluster=_cluster(cluster, cluster_options, jobs),
+                cluster=_cluster(cluster, cluster_options, jobs, of_site),
                 submit=wanted,
                 chunk=chunk if wanted is None else None,
                 keep=keep,
@@ -204,12 +219,12 @@ def _axes(over: tuple[str, ...]) -> dict[str, str]:
     return axes
 
 
-def _cluster(cluster: str | None, options: tuple[str, ...], jobs: int | None) -> Any:
+def _cluster(cluster: str | None, options: tuple[str, ...], jobs: int | None, site: Site) -> Any:
     """The cluster of the command line: an address or a file, or one that is started."""
     from brinell.sweeps import Cluster
 
     if cluster is not None and Cluster.is_name(cluster) and not Path(cluster).exists():
-        return Cluster(cluster, dict(_option(text) for text in options), jobs)
+        return site.with_cluster(Cluster(cluster, dict(_option(text) for text in options), jobs))
     if options or jobs:
         what = "--cluster-option" if options else "--jobs"
         raise InputError(f"{what} has no meaning without --cluster CLASS, such as --cluster SLURMCluster")
@@ -217,11 +232,13 @@ def _cluster(cluster: str | None, options: tuple[str, ...], jobs: int | None) ->
 
 
 def _option(text: str) -> tuple[str, Any]:
+    from brinell.sweeps.site import option_of
+
     name, equals, value = text.partition("=")
     if not equals or not name.isidentifier():
         raise InputError(f"--cluster-option {text}: allowed: NAME=VALUE, as in cores=8")
     try:
-        return name, tomllib.loads(f"value = {value}")["value"]
+        return name, option_of(tomllib.loads(f"value = {value}")["value"])
     except tomllib.TOMLDecodeError:
         return name, value
 

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
+import time
 import uuid
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import CancelledError, Future
@@ -12,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from brinell.errors import BrinellError, InputError, IoError, MissingExtraError
+from brinell.sweeps.jobs import Jobs, is_jobqueue, submit_jobs
 from brinell.sweeps.journal import Journal, JournalReader, attempts, journal_folder, outcome_of
 from brinell.sweeps.loop import MOST_LOSSES, lost_reason
 from brinell.sweeps.point import ONE_AT_A_TIME, Outcome, Task, compute
@@ -23,6 +26,8 @@ _MOST_IN_A_CHUNK = 100
 """So that a progress bar moves, and a lost worker delays little."""
 _CHUNKS_PER_WORKER = 20
 """So that all workers end at about the same time, although runs take different times."""
+_PATIENCE = 60.0
+"""Time [s] without any worker after which the user is told."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +39,13 @@ class Cluster:
             (LocalCluster, SSHCluster), or MODULE:CLASS.
         options: arguments of the class, such as cores, memory, walltime, queue, job_extra_directives.
         jobs: number of jobs that are submitted; None: as the class decides.
+        chunk: number of runs that a worker gets together; None: by the number of runs and workers.
     """
 
     name: str
     options: Mapping[str, Any] = field(default_factory=dict)
     jobs: int | None = None
+    chunk: int | None = None
 
     @staticmethod
     def is_name(text: str) -> bool:
@@ -54,15 +61,30 @@ class Cluster:
             IoError: the cluster cannot be started.
         """
         kind = self._class()
+        options = dict(self.options)
+        how_many = {"n": self.jobs}
+        if is_queued := is_jobqueue(kind):
+            # What the class does with it fails unnoticed.
+            how_many = {"jobs": self.jobs} if self.jobs else {"n": options.pop("n_workers", None)}
+            if not any(how_many.values()):
+                raise InputError(f"cluster {self.name}: has no jobs; allowed: a number of them (jobs; --jobs 20)")
         try:
-            cluster = kind(**self.options)
-            if self.jobs is not None:
-                jobs = {"jobs": self.jobs} if _is_jobqueue(kind) else {"n": self.jobs}
-                cluster.scale(**jobs)
+            cluster = kind(**options)
         except (TypeError, ValueError) as error:
             raise InputError(f"cluster {self.name}: its options are refused: {error}") from error
         except (OSError, RuntimeError) as error:
             raise IoError(f"cluster {self.name}: cannot be started: {error}") from error
+        try:
+            if is_queued:
+                submit_jobs(cluster, how_many)
+            elif self.jobs is not None:
+                cluster.scale(**how_many)
+        except (OSError, RuntimeError, ValueError) as error:
+            with contextlib.suppress(AssertionError):  # Dask expects that its jobs have begun
+                cluster.close()
+            said = str(error).rpartition("stderr:")[2]  # of the command with which a job is submitted
+            lines = [line.strip() for line in said.splitlines() if line.strip()]
+            raise IoError(f"cluster {self.name}: its jobs are refused: {'; '.join(lines)}") from error
         return cluster
 
     def _class(self) -> Any:
@@ -83,10 +105,6 @@ class Cluster:
                 "SLURMCluster, LocalCluster, MODULE:CLASS, or the address or scheduler file of a cluster that runs"
             )
         return found
-
-
-def _is_jobqueue(kind: Any) -> bool:
-    return any(base.__name__ == "JobQueueCluster" for base in kind.__mro__)
 
 
 class DaskPool:
@@ -111,12 +129,13 @@ class DaskPool:
         except ModuleNotFoundError as error:
             raise MissingExtraError("a cluster", "distributed", "sweep") from error
         self.threads = threads
-        self._chunk = chunk
+        self._chunk = chunk or (cluster.chunk if isinstance(cluster, Cluster) else None)
         self._path = path
         self._stop_file = path / "stop"
         self._stop_file.unlink(missing_ok=True)
         self._is_mine = not isinstance(cluster, Client)
         self._started = cluster.started() if isinstance(cluster, Cluster) else None
+        self._jobs = None if self._started is None else Jobs(self._started)
         try:
             if not self._is_mine:
                 self._client = cluster
@@ -128,10 +147,12 @@ class DaskPool:
             raise IoError(f"the Dask cluster {cluster!r} does not answer: {error}") from error
         self._executor = self._client.get_executor(pure=False)
         self._submitted: dict[Future[list[Outcome]], tuple[list[Task], Path]] = {}
-        self._workers = self._addresses()
+        self._workers: dict[str, str] = self._names()
         self._token = uuid.uuid4().hex[:8]
         self._count = 0
         self._messages: list[str] = []
+        self._alone_since = time.monotonic()
+        self._patience = _PATIENCE
 
     @property
     def has_room(self) -> bool:
@@ -186,14 +207,23 @@ class DaskPool:
 
     def losses(self) -> list[str]:
         """Messages about workers that have left the cluster: killed, out of memory, or retired by the scheduler."""
-        before, self._workers = self._workers, self._addresses()
+        before, self._workers = self._workers, self._names()
         told, self._messages = self._messages, []
-        return told + [
-            f"the worker {one} has left; its run goes to another one" for one in sorted(before - self._workers)
-        ]
+        if self._workers:
+            self._alone_since, self._patience = time.monotonic(), _PATIENCE
+        elif (waited := time.monotonic() - self._alone_since) >= self._patience:
+            self._patience *= 4
+            told.append(
+                f"no worker of the cluster for {waited:.0f} s; the sweep waits for one: are its jobs in the queue?"
+            )
+        left = sorted(before.keys() - self._workers.keys())
+        told += [f"the worker {one} has left; its run goes to another one" for one in left]
+        return told + (self._jobs.renewed(self._workers.values()) if self._jobs is not None else [])
 
-    def _addresses(self) -> set[str]:
-        return set(self._client.scheduler_info(n_workers=-1)["workers"])
+    def _names(self) -> dict[str, str]:
+        """Names of the workers by their addresses."""
+        workers = self._client.scheduler_info(n_workers=-1)["workers"]
+        return {address: str(worker["name"]) for address, worker in workers.items()}
 
     def stop(self) -> None:
         """Requests all runs to stop after their current step; runs that have not started return at once."""
@@ -208,6 +238,8 @@ class DaskPool:
             self._stop_file.unlink(missing_ok=True)
         if self._is_mine:
             self._client.close()
+        if self._jobs is not None:
+            self._jobs.close()
         if self._started is not None:
             self._started.close()
 

@@ -15,6 +15,8 @@ __all__ = ["MOST_LOSSES", "Notes", "compute_all", "lost_reason"]
 
 MOST_LOSSES = 3
 """Number of times that the process of a run may die before the run counts as failed."""
+_PAUSE = 10.0
+"""Time [s] after which a pool may tell something although no run has ended."""
 
 
 class Notes(Protocol):
@@ -65,7 +67,7 @@ def compute_all(tasks: Sequence[Task], pool: Pool, notes: Notes, tell: Callable[
                 for task in chunk:
                     notes.begun(task)
                 running[pool.submit(chunk)] = chunk
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
+            for future in wait(running, timeout=_PAUSE, return_when=FIRST_COMPLETED).done:
                 chunk = running[future]
                 left = settle(future)
                 if len(chunk) > 1 and len(left) < len(chunk):  # it goes on: the next one begins anew
