@@ -17,10 +17,10 @@ import brinell
 from brinell import Case, InputError, IoError
 
 pd = pytest.importorskip("pandas")
-pytest.importorskip("pyarrow")
+parquet = pytest.importorskip("pyarrow.parquet")
 pytest.importorskip("scipy")
 
-from brinell.sweeps import Slurm, open_sweep
+from brinell.sweeps import Site, Slurm, open_sweep
 from brinell.sweeps.arrays import arrays_of
 from brinell.sweeps.journal import JournalReader, journal_folder
 from slurm_here import LARGEST_ARRAY, reason_to_skip, slurm_here
@@ -73,7 +73,7 @@ def test_tables_are_the_same_whichever_way(tmp_path: Path) -> None:
     options: dict[str, Any] = {
         "design": "list",
         "threads": 1,
-        "keep": "1,3-4",
+        "keep": "0,3-4",
         "numbers": lambda run: {"steps": run.history.steps},
     }
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
@@ -81,15 +81,33 @@ def test_tables_are_the_same_whichever_way(tmp_path: Path) -> None:
     here = sweep(tmp_path / "here", over, workers=1, **options)
     by_array = sweep(tmp_path / "slurm", over, submit=Slurm("--time=5", chunk=2), **options)
     assert here.table["status"].tolist() == ["done", "done", "failed", "done", "done"]
-    assert here.table["folder"].tolist() == ["", "runs/000001", "", "runs/000003", "runs/000004"]
+    assert here.table["folder"].tolist() == ["runs/000000", "", "", "runs/000003", "runs/000004"]
     assert (here.table["steps"].dropna() > 3).all()
     for other in (on_dask, by_array):
         pd.testing.assert_frame_equal(results(other), results(here))
-        assert list(other.runs) == [1, 3, 4]
-        assert sorted(path.name for path in (other.path / "runs").iterdir()) == ["000001", "000003", "000004"]
+        assert list(other.runs) == [0, 3, 4]
+        assert sorted(path.name for path in (other.path / "runs").iterdir()) == ["000000", "000003", "000004"]
         pd.testing.assert_frame_equal(results(open_sweep(other.path)), results(open_sweep(here.path)))
+    # One table by columns, of numbers where there are numbers, and of the runs only those folders that are asked for.
+    schema = parquet.read_schema(here.path / "table.parquet")
+    assert all(schema.field(name).type == "double" for name in ("steps", "energy.net_J", "tugging.interference"))
+    for one in (here, on_dask, by_array):
+        assert parquet.read_schema(one.path / "table.parquet").equals(schema)
+        assert len(pd.read_parquet(one.path / "table.parquet")) == 5
+        assert {path.name for path in one.path.iterdir()} == {
+            *("sweep.json", "table.csv", "table.parquet", "failures.json", "runs", "journal")
+        }
+        assert [path.name for path in (one.path / "journal").iterdir()] == ["results.jsonl"]
     # The same call again computes nothing, and needs no cluster.
     pd.testing.assert_frame_equal(sweep(tmp_path / "slurm", over, workers=1, **options).table, by_array.table)
+
+
+def test_options_of_the_call_precede_those_of_the_site(tmp_path: Path) -> None:
+    site = Site(Slurm("--partition=nowhere --time=5", chunk=5))
+    with pytest.raises(InputError, match="invalid partition"):
+        sweep(tmp_path / "one", submit=site.slurm)
+    given = site.with_slurm(Slurm("--partition=short"))
+    assert sweep(tmp_path / "other", submit=given).table["status"].tolist() == ["done"] * 5
 
 
 def test_runs_that_kill_their_process_are_named_and_only_they_are_repeated(tmp_path: Path) -> None:

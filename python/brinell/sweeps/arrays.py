@@ -180,17 +180,16 @@ def read_tasks(folder: Path, number: int) -> tuple[list[Task], Path]:
         raise InputError(f"this machine has brinell {here}, but the sweep was submitted with {record['version']}")
     path = folder.parent.parent
     numbers = tuple(base64.b64decode(one["pickle"]) if isinstance(one, Mapping) else one for one in record["numbers"])
-    tasks = [Task(numbers=numbers, **entry) for entry in record["runs"]]
+    tasks = [Task(numbers=() if entry["keep"] else numbers, **entry) for entry in record["runs"]]
     return tasks, journal_folder(path) / record["journal"]
 
 
 def _record_of(chunk: Sequence[Task], token: str, number: int) -> dict[str, Any]:
+    numbers = next((one.numbers for one in chunk if one.numbers), ())  # those with a folder have none
     return {
         "version": _core.library_versions()["brinell"],
         "journal": f"slurm-{token}-{number:05d}.jsonl",
-        "numbers": [
-            one if isinstance(one, str) else {"pickle": base64.b64encode(one).decode()} for one in chunk[0].numbers
-        ],
+        "numbers": [one if isinstance(one, str) else {"pickle": base64.b64encode(one).decode()} for one in numbers],
         "runs": [
             {"index": one.index, "text": one.text, "folder": one.folder, "threads": one.threads, "keep": one.keep}
             for one in chunk
