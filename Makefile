@@ -2,7 +2,7 @@
 #   make build   compile with CMake (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
-# Further: test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
+# Further: test-mpi, test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
 # digits, arm64, bench, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
@@ -22,7 +22,7 @@ python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench docs clean force
+.PHONY: build test test-mpi test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
@@ -53,13 +53,21 @@ build: build/release/build.ninja
 test: .venv/.setup-done .venv/.extras-done build
 	@tools/setup.sh test
 	@status=0; rm -f build/ctest.xml build/pytest.xml; \
-	ctest --preset release --parallel $(JOBS) --output-junit $(CURDIR)/build/ctest.xml || status=1; \
+	ctest --preset release --parallel $(JOBS) --label-exclude mpi --output-junit $(CURDIR)/build/ctest.xml || status=1; \
 	$(python) -m pytest --numprocesses $(JOBS) --dist worksteal --junitxml build/pytest.xml || status=1; \
 	exit $$status
 
+# What several processes compute together. Their program is one more in the same build tree, of the same objects as the other.
+test-mpi: build/release/build.ninja
+	@tools/setup.sh mpi
+	@rm -f build/ctest-mpi.xml
+	flock build/release cmake --preset release -D BRINELL_MPI=ON >/dev/null
+	flock build/release cmake --build --preset release --parallel $(JOBS) --target brinell_mpi_tests
+	ctest --preset release --parallel $(JOBS) --label-regex mpi --no-tests=error --output-junit $(CURDIR)/build/ctest-mpi.xml
+
 # Whole what .ci/run does in parts: all cases of random sweeps, the sanitizers on all tests, clang-tidy on all sources.
 test-all: export BRINELL_SWEEP = all
-test-all: test tidy sanitize
+test-all: test test-mpi tidy sanitize
 
 # --- The paper's case -------------------------------------------------------------------------------------------------
 run: .venv/.setup-done

@@ -3,6 +3,9 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS brinell_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+if(BRINELL_MPI)
+  install(TARGETS brinell_mpi_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
 install(TARGETS brinell EXPORT brinell-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(DIRECTORY include/brinell DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)

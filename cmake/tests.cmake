@@ -62,7 +62,17 @@ brinell_add_tests(cli cli 600 ${cli_tests})
 if(BRINELL_MPI)
   file(GLOB mpi_tests CONFIGURE_DEPENDS tests/mpi/*_test.cpp)
   brinell_add_tests(mpi mpi 600 ${mpi_tests})
-  add_dependencies(brinell_mpi_tests brinell_program)
+  add_executable(brinell_mpi_random_cases tests/mpi/random_cases.cpp tests/verification/random_scenarios.cpp)
+  target_include_directories(brinell_mpi_random_cases PRIVATE apps)
+  target_link_libraries(brinell_mpi_random_cases PRIVATE brinell_mpi brinell_test_support brinell brinell_flags GTest::gtest)
+  add_dependencies(brinell_mpi_tests brinell_program brinell_mpi_program brinell_mpi_random_cases)
+  foreach(ranks 2 3 4)
+    add_test(NAME mpi.RandomCases.OnRanks${ranks} COMMAND
+      ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:brinell_mpi_random_cases>)
+    # As in tests/mpi/shared_runs.hpp.
+    set_tests_properties(mpi.RandomCases.OnRanks${ranks} PROPERTIES LABELS mpi COST 20 TIMEOUT 1800 ENVIRONMENT
+      "OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_hwloc_base_binding_policy=none")
+  endforeach()
 endif()
 # What takes long has a label and begins first. Read by CTest after the tests of the executables, which it finds as it runs.
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/cmake/long_tests.cmake)

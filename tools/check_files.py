@@ -21,7 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-WITH_MPI = ROOT / "apps/brinell/mpi"  # compiled by the preset mpi only
+WITH_MPI = ROOT / "apps/brinell/mpi"  # compiled with BRINELL_MPI only
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"][^">]+[">])', re.MULTILINE)
 BROUGHT_IN = re.compile(r"^\s*(?:using (?:[\w:]+::)?(\w+)|namespace (\w+) = [\w:]+);", re.MULTILINE)
 COMMENT = re.compile(r"//.*")

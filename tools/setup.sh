@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs what is missing to build, test and plot on Debian 12.
-# Usage: tools/setup.sh packages|python|extras|test|tidy|ccache|arm64|count|list
+# Usage: tools/setup.sh packages|python|extras|test|mpi|tidy|ccache|arm64|count|list
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -10,6 +10,7 @@ engine_packages=(build-essential cmake ninja-build pkg-config python3-dev python
   libeigen3-dev libtomlplusplus-dev libcli11-dev libfmt-dev libhdf5-dev zlib1g-dev libxxhash-dev nlohmann-json3-dev)
 build_packages=("${engine_packages[@]}" git clang-format libgtest-dev libbenchmark-dev)
 test_packages=(chromium chromium-driver) # the HTML report and the page of `brinell app` are looked at in a browser
+mpi_packages=(libopenmpi-dev openmpi-bin) # several processes for one case
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }
@@ -69,10 +70,11 @@ case "${1:-}" in
   python) make_venv ;;
   extras) add_extras ;;
   test) install_packages "${test_packages[@]}" ;;
+  mpi) install_packages "${mpi_packages[@]}" ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
   arm64) install_packages g++-aarch64-linux-gnu qemu-user ;;
   count) install_packages valgrind binutils ;;
   list) echo "${engine_packages[*]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|extras|test|tidy|ccache|arm64|count|list" ;;
+  *) fail "usage: tools/setup.sh packages|python|extras|test|mpi|tidy|ccache|arm64|count|list" ;;
 esac

@@ -129,7 +129,8 @@ int run_command(const RunArguments& arguments, const std::shared_ptr<const Commu
   {
     progress.reset();
     fmt::print(stderr, "brinell: interrupted; the finished steps are in {}, and --resume continues the run\n", folder);
-    return 128 + InterruptGuard::signal();
+    // All ranks end alike, also those that have got no signal themselves.
+    return 128 + static_cast<int>(ranks->largest(InterruptGuard::signal()));
   }
   catch (const std::runtime_error&) // such as no convergence, a grid that is too small, a full disk
   {

@@ -8,10 +8,12 @@
 #include "brinell/io/scenario_text.hpp"
 #include "brinell/io/snapshot_choice.hpp"
 #include "brinell/io/summary_json.hpp"
+#include "brinell/io/versions.hpp"
 #include "brinell/quality/quality.hpp"
 #include "brinell/simulation/run.hpp"
 #include "following.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <exception>
@@ -21,6 +23,7 @@
 #include <omp.h>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 
@@ -210,6 +213,18 @@ LevelReport run_level(const io::Case& c, const io::ScenarioPlan& plan, const std
       c.scenario);
 }
 
+namespace
+{
+
+/// A number that stands for a text; exact as a double.
+double hash_of(std::string_view text)
+{
+  constexpr std::size_t exact = std::size_t{1} << 53U;
+  return static_cast<double>(std::hash<std::string_view>{}(text) % exact);
+}
+
+} // namespace
+
 double memory_of_machines(const Communicator& ranks)
 {
   const double own = io::machine_memory();
@@ -217,11 +232,8 @@ double memory_of_machines(const Communicator& ranks)
     return own;
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
-  constexpr std::size_t exact = std::size_t{1} << 53U; // as a double
   std::map<double, double> of_machines;
-  const std::vector<double> names =
-                                ranks.all_values(static_cast<double>(std::hash<std::string>{}(name.data()) % exact)),
-                            memories = ranks.all_values(own);
+  const std::vector<double> names = ranks.all_values(hash_of(name.data())), memories = ranks.all_values(own);
   for (std::size_t rank = 0; rank < names.size(); ++rank)
     of_machines.try_emplace(names[rank], memories[rank]);
   double sum = 0.0;
@@ -251,11 +263,26 @@ void require_shareable(const io::Case& c, int ranks)
 namespace
 {
 
+/// Processes that do not all do the same would wait for each other, or compute together what is the result of no case.
+void require_same_case(const io::Case& c, const Communicator& ranks)
+{
+  const io::Versions versions = io::library_versions();
+  const std::vector<double> cases =
+      ranks.all_values(hash_of(io::resolved_files(c.values).text + versions.brinell + versions.git_hash));
+  const auto other = std::find_if(cases.begin(), cases.end(), [&](double one) { return one != cases.front(); });
+  if (other != cases.end())
+    throw InputError(
+        fmt::format("{}: process {} has another case than the first; allowed: the same files, settings and program for "
+                    "all processes",
+                    c.file.string(), other - cases.begin()));
+}
+
 /// Runs a case that ranks compute together. The first one opens the folder; if it cannot, no other one begins.
 RunReport run_shared(const io::Case& c, const io::ScenarioPlan& plan, const RunOptions& options,
                      const RunMonitor& monitor)
 {
   const Communicator& ranks = *options.ranks;
+  require_same_case(c, ranks);
   const bool writes = ranks.rank() == 0;
   const io::StoredParts parts = io::stored_parts(c, plan);
   std::optional<io::ResultDirectory> directory;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -46,10 +47,13 @@ public:
   /// @param largest_file  [bytes], as if the disk were full then; 0: no limit
   /// @param beyond        what the program finds to be done by a signal when a file grows beyond that
   /// @param changes       of the environment, beside that of the test, which stays as it is
+  /// @param program       with the words before the arguments, such as mpirun and its own
   Process(const fs::path& folder, const std::vector<std::string>& arguments, rlim_t largest_file = 0,
-          void (*beyond)(int) = SIG_IGN, const std::vector<Variable>& changes = {})
+          void (*beyond)(int) = SIG_IGN, const std::vector<Variable>& changes = {},
+          const std::vector<std::string>& program = {BRINELL_PROGRAM})
       : out_(folder / "stdout"), err_(folder / "stderr")
   {
+    std::fflush(nullptr); // so that what is printed here is not printed by both
     pid_ = fork();
     if (pid_ != 0)
       return;
@@ -64,15 +68,17 @@ public:
       std::signal(SIGXFSZ, beyond); // if ignored, writing fails, and the process goes on
       setrlimit(RLIMIT_FSIZE, &limit);
     }
-    std::vector<char*> argv{const_cast<char*>(BRINELL_PROGRAM)};
-    for (const auto& argument : arguments)
-      argv.push_back(const_cast<char*>(argument.c_str()));
+    std::vector<char*> argv;
+    for (const auto* words : {&program, &arguments})
+      for (const std::string& word : *words)
+        argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
-    execv(BRINELL_PROGRAM, argv.data());
+    execvp(argv.front(), argv.data());
     _exit(127);
   }
 
   void signal(int number) const { kill(pid_, number); }
+  [[nodiscard]] pid_t id() const { return pid_; }
 
   [[nodiscard]] bool running()
   {

@@ -113,9 +113,7 @@ HalfSpace::Loaded HalfSpace::load(std::span<const double> plastic_strain, int la
   if (work.empty())
     throw InternalError("HalfSpace::load: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
-  if (with_trace)
-    buffers.trace.resize(operators_->trace_fft.block_size() * static_cast<std::size_t>(operators_->blocks.count()));
-  operators_->load_strain(plastic_strain, layers, displacements, buffers, with_trace ? buffers.trace.data() : nullptr);
+  operators_->load_strain(plastic_strain, layers, displacements, buffers, with_trace ? &buffers.trace : nullptr);
   buffers.has_trace = with_trace;
   return {*operators_, plastic_strain, *work.buffers_};
 }
@@ -271,8 +269,8 @@ void HalfSpace::full_stress(const SurfaceLoad& load, std::span<const double> pla
     throw InternalError("HalfSpace::full_stress: the work is empty; make_work makes one");
   Work::Buffers& buffers = *work.buffers_;
   const BlockedFft& fft = op.trace_fft;
-  AlignedVector<ComplexLanes> spectra(fft.block_size() * static_cast<std::size_t>(op.blocks.count()));
-  op.load_strain(plastic_strain, computed, Displacements::normal, buffers, spectra.data());
+  AlignedVector<ComplexLanes> spectra;
+  op.load_strain(plastic_strain, computed, Displacements::normal, buffers, &spectra);
   Loaded(op, plastic_strain, buffers).stress(load, deviator);
   const auto kernels = op.kernels_of(parts_of(load));
   const auto threads = static_cast<int>(buffers.threads.size());

@@ -102,7 +102,7 @@ int HalfSpace::Operators::strained_layers(std::span<const double> plastic_strain
 }
 
 void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements,
-                                       Work::Buffers& work, ComplexLanes* trace) const
+                                       Work::Buffers& work, AlignedVector<ComplexLanes>* trace) const
 {
   if (work.strain.size() < static_cast<std::size_t>(work.blocks_at_a_time) * volume_fft.block_size())
     throw InternalError(
@@ -113,6 +113,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.has_trace = false;
+  if (trace != nullptr)
+    trace->resize(trace_fft.block_size() * static_cast<std::size_t>(blocks.count()));
   work.displacements = displacements;
   for (std::size_t t = 1; t < tractions.size() && kernels[t] != nullptr; ++t)
   {
@@ -128,7 +130,7 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
   {
     Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(thread)];
     transform_strain(plastic_strain, strained, work, scratch);
-    process_blocks(thread, strained, kernels, work, trace);
+    process_blocks(thread, strained, kernels, work, trace != nullptr ? trace->data() : nullptr);
 #pragma omp for schedule(static)
     for (int block = blocks.first; block < blocks.end; ++block)
       for (std::size_t t = 0; t < tractions.size() && kernels[t] != nullptr; ++t)

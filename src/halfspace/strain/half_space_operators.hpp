@@ -103,9 +103,9 @@ struct HalfSpace::Operators
   /// Kernels of the `wanted` components of the traction, nullptr for the others. Those of a shear are tabulated when they are
   /// first needed.
   [[nodiscard]] OfTraction<const TractionStress*> kernels_of(const OfTraction<bool>& wanted) const;
-  /// @param trace  nullptr, or spectra that receive the trace of the stress
+  /// @param trace  nullptr, or becomes the spectra of the trace of the stress; on a rank without wavenumbers these are empty
   void load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements, Work::Buffers& work,
-                   ComplexLanes* trace) const;
+                   AlignedVector<ComplexLanes>* trace) const;
   /// Transforms the load on the surface.
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,

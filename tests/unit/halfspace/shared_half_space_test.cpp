@@ -178,6 +178,14 @@ TEST(SharedHalfSpace, MoreRanksThanPairsOfLayers)
   expect_alike(given(open, 3, 3, 2), 4);
 }
 
+/// The last rank has layers, but no wavenumbers: it knows of the images of the trace nevertheless.
+TEST(SharedHalfSpace, MoreRanksThanBlocksOfWavenumbers)
+{
+  SurfaceGrid narrow = open;
+  narrow.nx = 4;
+  expect_alike(given(narrow, 6, 6, 6), 3);
+}
+
 /// Per cell and evaluation of an open body: five components of the strain and of the stress as rows of spectra with twice as many
 /// columns, 16 bytes a wavenumber, of which the part (ranks - 1)/ranks leaves its rank.
 TEST(SharedHalfSpace, PassesWhatWasComputed)
