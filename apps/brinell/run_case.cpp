@@ -287,20 +287,29 @@ RunReport run_shared(const io::Case& c, const io::ScenarioPlan& plan, const RunO
   const io::StoredParts parts = io::stored_parts(c, plan);
   std::optional<io::ResultDirectory> directory;
   std::exception_ptr failure;
+  bool is_refused = false;
   try
   {
     if (writes)
       directory.emplace(options.folder, c, parts, options.mode);
   }
+  catch (const InputError&)
+  {
+    failure = std::current_exception();
+    is_refused = true;
+  }
   catch (...)
   {
     failure = std::current_exception();
   }
-  const bool has_failed = ranks.any(failure != nullptr);
+  const bool any_is_refused = ranks.any(is_refused), has_failed = ranks.any(failure != nullptr);
   if (failure)
     std::rethrow_exception(failure);
+  constexpr const char* text = "the first rank cannot write its results";
+  if (any_is_refused) // as the first one, since mpirun ends with the exit code of any of them
+    throw InputError(text);
   if (has_failed)
-    throw InputError("the first rank cannot write its results");
+    throw IoError(text);
   const std::optional<Archive::Fields> checkpoint =
       for_all(ranks, directory ? directory->take_checkpoint() : std::nullopt);
   if (monitor.on_start)
