@@ -80,9 +80,7 @@ class Page:
 
     def settled(self) -> None:
         """Waits until the check has answered and the curve has followed."""
-        self.wait("!preview.abort && !preview.next")
-        time.sleep(0.4)
-        self.wait("!preview.abort && !preview.next")
+        self.wait("!changing && !preview.abort && !preview.next")
 
     def values(self) -> dict[str, Any]:
         """The case."""
@@ -111,10 +109,18 @@ class Page:
     def picture(self, name: str, *, scrolls: bool = True) -> None:
         """Keeps what the page looks like, for the documentation."""
         if SCREENSHOTS:
-            time.sleep(0.8)
+            self.frames()
             self.js(f"document.activeElement.blur(), {int(scrolls)} && document.getElementById('left').scrollTo(0, 0)")
+            self.frames()
             picture = Image.open(io.BytesIO(self.driver.get_screenshot_as_png()))
             picture.convert("RGB").save(Path(SCREENSHOTS) / f"app-{name}.png", optimize=True)
+
+    def frames(self) -> None:
+        """Waits until the browser has drawn what has changed."""
+        self.driver.execute_async_script(
+            "const done = arguments[0]; document.fonts.ready.then(() => requestAnimationFrame(() => "
+            "requestAnimationFrame(() => setTimeout(done))))"
+        )
 
     def complaints(self) -> list[str]:
         """What the browser holds against the page."""

@@ -160,7 +160,7 @@ def test_a_text_that_is_being_typed_is_kept(page: Page) -> None:
     page.act('[id="f-title"]', lambda field: field.send_keys(CONTROL_A, "half a ti"))
     page.js("drawCase()")  # as when a check answers
     assert page.js("document.activeElement.value") == "half a ti"
-    page.driver.switch_to.active_element.send_keys("tle", TAB)
+    page.act('[id="f-title"]', lambda field: field.send_keys("tle", TAB))  # a check may draw it anew once more
     page.wait("page.values.title === 'half a title'")
 
 
@@ -245,11 +245,61 @@ def test_narrow_window_shows_all(page: Page) -> None:
     try:
         page.driver.set_window_size(620, 900)
         page.wait("window.innerWidth < 700")
-        time.sleep(0.5)
-        assert page.js("document.documentElement.scrollWidth <= window.innerWidth")
-        assert page.js("document.getElementById('f-title').clientWidth > 100")
+        page.wait("document.documentElement.scrollWidth <= window.innerWidth")
+        page.wait("document.getElementById('f-title').clientWidth > 100")
     finally:
         page.driver.set_window_size(1500, 950)
+
+
+CUT_OFF = """
+    window.cut = 0;
+    let before = "";
+    const look = () => {
+        const plot = document.getElementById("curve"), drawn = plot.querySelector(".main-svg").getBoundingClientRect();
+        const sizes = [drawn.width, drawn.height, plot.clientWidth, plot.clientHeight].map(Math.round);
+        const differs = Math.abs(sizes[0] - sizes[2]) > 1 || Math.abs(sizes[1] - sizes[3]) > 1;
+        if (differs && before === String(sizes)) window.cut += 1; // it was so when the last frame was painted
+        before = String(sizes);
+        requestAnimationFrame(look);
+    };
+    look();"""
+
+
+def test_no_axis_is_cut_off_while_the_page_changes(page: Page) -> None:
+    page.driver.execute_script(CUT_OFF)
+    height = page.js("document.getElementById('curve').clientHeight")
+    page.js("document.getElementById('notes').replaceChildren()")
+    page.frames()
+    assert page.js("document.getElementById('curve').clientHeight") == height  # notes come and go beside it
+    for rows in (3, 0, 2):  # as jobs do
+        page.driver.execute_script(
+            "document.getElementById('jobs').style.height = `${arguments[0]}em`; drawCurve();", rows
+        )
+        page.frames()
+        page.frames()
+    page.driver.set_window_size(1300, 950)
+    page.wait("window.innerWidth < 1350")
+    page.frames()
+    page.driver.set_window_size(1500, 950)
+    page.wait("window.innerWidth > 1450")
+    page.frames()
+    assert page.js("document.getElementById('curve').clientHeight") < height
+    assert page.js("window.cut") == 0
+
+
+def test_a_row_of_a_run_keeps_its_button(page: Page) -> None:
+    page.unfold()
+    page.type("indentation.steps", "300")
+    page.wait("page.values['indentation.steps'] === 300 && !page.checked.errors.length")
+    page.settled()
+    page.click("#run")
+    page.wait("document.querySelector('#jobs progress')?.value > 0")
+    page.js("document.querySelector('#jobs button').focus()")
+    done = page.js("document.querySelector('#jobs progress').value")
+    page.wait(f"document.querySelector('#jobs progress').value > {done}")
+    assert page.js("document.activeElement.textContent") == "Stop"  # the keyboard is still there
+    page.driver.switch_to.active_element.send_keys(ENTER)
+    page.wait("page.jobs[0].state === 'stopped'")
 
 
 def test_texts_of_a_case_stay_texts(page: Page) -> None:

@@ -91,7 +91,7 @@ def test_map_is_that_of_the_result(page: Page) -> None:
 
 def test_fields_follow_a_run(page: Page) -> None:
     page.unfold()
-    for key, value in {"indentation.steps": "40", "grid.resolution": "14", "output.snapshots": "every 2"}.items():
+    for key, value in {"indentation.steps": "300", "grid.resolution": "14", "output.snapshots": "every 2"}.items():
         page.type(key, value)
         page.wait(f"{json.dumps(key)} in page.values && !page.checked.errors.length")
     page.tab("fields")
@@ -105,7 +105,7 @@ def test_fields_follow_a_run(page: Page) -> None:
 
 def test_a_run_is_stopped_and_goes_on(page: Page) -> None:
     page.unfold()
-    page.type("indentation.steps", "60")
+    page.type("indentation.steps", "120")
     page.settled()
     page.type("grid.resolution", "14")
     page.wait("page.values['grid.resolution'] === 14 && !page.checked.errors.length")
@@ -120,7 +120,7 @@ def test_a_run_is_stopped_and_goes_on(page: Page) -> None:
     assert not (page.server.folder / name / "summary.json").exists()
     page.wait("document.querySelector('#jobs button')?.textContent === 'Go on'")
     page.click("#jobs button")
-    page.wait("page.jobs[0].state === 'finished'", 120)
+    page.wait("page.jobs[0].state === 'finished'", 240)
     page.finished(1)
     assert open_run(page.server.folder / name).complete
 

@@ -32,8 +32,15 @@ async function open(values, name) {
   follow();
 }
 
+let changing = 0; // changes of which the check has not answered
+
 /** Takes over changes of values; with `parks`, values that no longer apply are put aside, and come back later. */
 async function change(changes, parks) {
+  changing += 1;
+  try { await changed(changes, parks); } finally { changing -= 1; }
+}
+
+async function changed(changes, parks) {
   page.changed = true;
   for (const [key, value] of Object.entries(changes)) value === undefined ? delete page.values[key] : (page.values[key] = value);
   const scenario = changes.scenario;
@@ -161,36 +168,40 @@ async function refresh() {
   const { entries, jobs } = await ask("GET", "/api/files");
   Object.assign(page, { entries, jobs });
   const names = (kind) => entries.filter((one) => one.kind === kind);
-  fill($("open"), "a case of the folder", names("case").map((one) => one.name));
+  offer($("open"), [["", "a case of the folder"], ...names("case").map((one) => [one.name, one.name])]);
   const runs = names("run").filter((one) => !/\/runs\/\d+$/.test(one.name)).map((one) => one.name);
-  fill($("add-run"), runs.length ? "…" : "none yet", runs);
+  offer($("add-run"), [["", runs.length ? "…" : "none yet"], ...runs.map((name) => [name, name])]);
   $("data-files").replaceChildren(...names("data").map((one) => h("option", { value: one.name })));
-  const kept = $("figures-of").value, results = [...runs, ...names("sweep").map((one) => one.name), ...names("fit").map((one) => one.name)];
-  $("figures-of").replaceChildren(...results.map((name) => h("option", { value: name }, name)));
-  if (results.includes(kept)) $("figures-of").value = kept;
+  const results = [...runs, ...names("sweep").map((one) => one.name), ...names("fit").map((one) => one.name)];
+  offer($("figures-of"), results.map((name) => [name, name]));
   drawJobs();
-}
-
-function fill(select, title, names) {
-  if (select.options.length === names.length + 1 && names.every((name, i) => select.options[i + 1].value === name)) return;
-  select.replaceChildren(h("option", { value: "" }, title), ...names.map((name) => h("option", { value: name }, name)));
 }
 
 function drawJobs() {
   const isActive = (job) => ["running", "waiting", "stopped", "failed"].includes(job.state);
   const known = new Set(page.jobs.map((job) => job.name));
   const left = page.shown.filter((one) => !one.complete && !known.has(one.name)).map((one) => ({ name: one.name, state: "not finished", kind: "run" }));
-  $("jobs").replaceChildren(...[...page.jobs.filter(isActive), ...left].map(drawnJob));
+  const all = [...page.jobs.filter(isActive), ...left], rows = new Map([...$("jobs").children].map((row) => [row.dataset.state, row]));
+  const drawn = all.map((job) => told(rows.get(`${job.state} ${job.name}`) ?? jobRow(job), job));
+  if (drawn.length !== $("jobs").children.length || drawn.some((row, i) => row !== $("jobs").children[i])) $("jobs").replaceChildren(...drawn);
 }
 
-function drawnJob(job) {
+/** A job without its progress: it stays while its state does, so that its button can be clicked and keeps the focus. */
+function jobRow(job) {
   const button = (text, path) => h("button", { onclick: () => act(path, job.name) }, text);
-  const isLive = job.state === "running" || job.state === "waiting", isLeft = job.kind === "run" && (job.state === "stopped" || job.state === "not finished");
-  const count = job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins";
-  return h("div", { class: "job" }, h("span", {}, job.name),
-    job.state === "running" ? h("progress", { max: job.of || 1, value: job.done, "aria-label": `Progress of ${job.name}` }) : null,
-    h("span", { class: job.state === "failed" ? "error" : "quiet" }, job.state === "running" ? count : job.state === "failed" ? job.error : job.state),
+  const isLive = job.state === "running" || job.state === "waiting", isLeft = job.kind === "run" && ["stopped", "not finished"].includes(job.state);
+  return h("div", { class: "job", "data-state": `${job.state} ${job.name}` }, h("span", {}, job.name),
+    job.state === "running" ? h("progress", { "aria-label": `Progress of ${job.name}` }) : null,
+    h("span", { class: job.state === "failed" ? "error" : "quiet" }),
     isLeft ? button("Go on", "/api/resume") : null, isLive ? button("Stop", "/api/stop") : null);
+}
+
+/** A job's row with how far it is. */
+function told(row, job) {
+  const bar = row.querySelector("progress"), count = job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins";
+  if (bar) Object.assign(bar, { max: job.of || 1, value: job.done });
+  row.children[bar ? 2 : 1].textContent = job.state === "running" ? count : job.state === "failed" ? job.error : job.state;
+  return row;
 }
 
 async function act(path, name) {
@@ -289,9 +300,8 @@ function drawCurve() {
 
 // --- Fields, numbers, figures ---------------------------------------------------------------------------------------
 function drawStates() {
-  const steps = page.shown.find((one) => one.outline)?.outline.steps ?? [], kept = $("state").value;
-  $("state").replaceChildren(h("option", { value: "aligned" }, "the loaded state"), h("option", { value: "final" }, "the last state"), ...steps.map((step) => h("option", { value: step }, `step ${step}`)));
-  if ([...$("state").options].some((one) => one.value === kept)) $("state").value = kept;
+  const steps = page.shown.find((one) => one.outline)?.outline.steps ?? [];
+  offer($("state"), [["aligned", "the loaded state"], ["final", "the last state"], ...steps.map((step) => [step, `step ${step}`])]);
 }
 
 let picturing = 0, pictured = 0; // numbers of the request and of what is drawn

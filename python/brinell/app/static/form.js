@@ -14,6 +14,14 @@ function h(tag, attributes = {}, ...children) {
   return element;
 }
 
+/** Gives a menu entries [value, text, title]. One that has them stays as it is, as new ones close it while it is open. */
+function offer(select, entries) {
+  if (JSON.stringify([...select.options].map((one) => [one.value, one.text])) === JSON.stringify(entries.map(([value, text]) => [String(value), text.trim()]))) return;
+  const kept = select.value;
+  select.replaceChildren(...entries.map(([value, text, title]) => h("option", { value, title }, text)));
+  if (entries.some(([value]) => String(value) === kept)) select.value = kept;
+}
+
 const plainKey = (key) => key.replace(/\[\d+\]/g, "");
 const tableOf = (key) => key.slice(0, Math.max(0, key.lastIndexOf(".")));
 const sentence = (word) => word.charAt(0).toUpperCase() + word.slice(1).replaceAll("_", " ");

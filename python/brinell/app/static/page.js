@@ -6,7 +6,7 @@
 function drawSweepKeys() {
   const kept = $("sweep-key").value;
   const keys = Object.keys(page.values).filter((key) => ["number", "numbers", "integer"].includes(form.fields.get(plainKey(key))?.kind) && !/\[\d+\]/.test(key));
-  if ([...$("sweep-key").options].map((one) => one.value).join() !== keys.join()) $("sweep-key").replaceChildren(...keys.map((key) => h("option", { value: key }, key)));
+  offer($("sweep-key"), keys.map((key) => [key, key]));
   const drive = keys.find((key) => key.startsWith(`${page.values.scenario}.`));
   $("sweep-key").value = keys.includes(kept) ? kept : drive ?? keys[0] ?? "";
   if ($("sweep-key").value !== kept) sweepRange();
@@ -186,7 +186,7 @@ async function begin() {
   form = new Form($("form"), start.form.sections, {
     change, material, store: storeMaterial, drop: dropMaterial,
     slide: (key, value) => { Object.assign(page, { changed: true }).values[key] = value; follow(true); },
-    release: async (key, value) => { page.values[key] = value; follow(); await preview.running; check(false); },
+    release: async (key, value) => { changing += 1; page.values[key] = value; follow(); await preview.running; await check(false); changing -= 1; },
   });
   const scenarios = form.fields.get("scenario").choices;
   $("new").append(...scenarios.map((scenario) => h("option", { value: scenario }, scenario)));

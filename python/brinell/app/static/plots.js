@@ -8,7 +8,7 @@ const DASHES = ["solid", "dash", "dot", "dashdot", "longdash", "longdashdot"];
 const INK = "#1d2733", SOFT = "#5b6876", BEFORE = "#b3bdc7";
 const FONT = { family: 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif', size: 13, color: INK };
 // Results stay on this machine: no button that sends a picture with its data to a server.
-const CONFIG = { displaylogo: false, responsive: true, plotlyServerURL: "", modeBarButtonsToRemove: ["sendChartToCloud", "lasso2d", "select2d", "autoScale2d"] };
+const CONFIG = { displaylogo: false, plotlyServerURL: "", modeBarButtonsToRemove: ["sendChartToCloud", "lasso2d", "select2d", "autoScale2d"] };
 const AXIS = { zeroline: true, zerolinecolor: "#c9d1d9", gridcolor: "#edf0f3", linecolor: "#9aa5b1", showline: true, ticks: "outside", tickcolor: "#9aa5b1", automargin: true };
 
 const PREFIXES = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
@@ -83,7 +83,8 @@ function shareColours(pictures) {
   for (const one of pictures) Object.assign(one, { low, high });
 }
 
-const RESIZED = new ResizeObserver((entries) => { for (const { target } of entries) if (target.data && target.clientWidth) Plotly.Plots.resize(target); });
+/** Draws plots anew before the browser paints them in another size; Plots.resize waits for a while, and an axis is cut off so long. */
+const RESIZED = new ResizeObserver((entries) => { for (const { target } of entries) if (target.data && target.clientWidth) Plotly.relayout(target, { autosize: true }); });
 
 /** Width over y by that over x. */
 function ratio(picture) {
