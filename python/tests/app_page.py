@@ -74,6 +74,10 @@ class Page:
 
         self.act(selector, lambda element: Select(element).select_by_visible_text(text))
 
+    def options(self, selector: str) -> list[Any]:
+        """The entries of a menu."""
+        return list(self.one(selector).find_elements("css selector", "option"))
+
     def type(self, key: str, text: str) -> None:
         """Types into the field of a key, and leaves it."""
         self.act(f'[id="f-{key}"]', lambda element: element.send_keys(CONTROL_A, DELETE, text, TAB))

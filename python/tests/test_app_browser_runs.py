@@ -76,6 +76,38 @@ def test_runs_are_compared_side_by_side(page: Page) -> None:
             page.picture("section")
 
 
+def test_what_is_empty_in_all_that_is_shown_stands_in_no_menu(page: Page) -> None:
+    def offered(menu: str) -> set[str]:
+        return set(page.js(f"[...document.getElementById('{menu}').options].map((one) => one.value)"))
+
+    columns = page.js("page.live.columns")
+    filled = {name for name, values in columns.items() if any(values)}
+    assert {"approach", "F_n", "dissipation_lower"} <= filled
+    empty = {"current", "contact_temperature", "dissipation_upper"}  # no voltage, no heat, and a rigid body
+    assert not empty & filled
+    assert offered("x") == offered("y") == filled
+    assert empty <= set(page.one("#y").get_attribute("title").rpartition(": ")[2].split(", "))
+
+    page.choose("#y", next(one.text for one in page.options("#y") if "(dissipation_lower)" in one.text))
+    page.tab("fields")
+    page.choose("#kind", "section")
+    page.wait("document.getElementById('field').value && picturing === pictured")
+    assert "equivalent_plastic_strain" in offered("field")
+    page.type("lower.material.hardening.yield_stress", "900000")  # it does not yield
+    page.wait("page.live?.done && !page.live.columns.dissipation_lower.some(Boolean) && picturing === pictured")
+    page.settled()
+    assert "dissipation_lower" in offered("y")  # what is chosen stays
+    assert "max_equivalent_plastic_strain" not in offered("y")
+    page.tab("curves")
+    page.choose("#y", next(one.text for one in page.options("#y") if "(F_n)" in one.text))
+    assert "dissipation_lower" not in offered("y")
+    page.tab("fields")
+    page.wait("picturing === pictured")
+    page.choose("#field", page.js("start.titles.von_mises_stress"))
+    page.wait("picturing === pictured && page.live.picture.name === 'von_mises_stress'")
+    assert "equivalent_plastic_strain" not in offered("field")
+
+
 def test_map_is_that_of_the_result(page: Page) -> None:
     page.click("#run")
     page.finished(1)

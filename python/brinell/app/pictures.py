@@ -60,6 +60,21 @@ class State:
             "surface": [name for name, body in self.bodies.items() if body.height is not None],
         }
 
+    def empty(self) -> dict[str, list[str]]:
+        """Those of the names whose field is zero throughout, or has no value."""
+        return {
+            kind: [name for name in names if not any(np.any(np.nan_to_num(one)) for one in self._values(kind, name))]
+            for kind, names in self.names().items()
+        }
+
+    def _values(self, kind: str, name: str) -> list[FloatArray]:
+        if kind == "map":
+            return [self.contact[name]]
+        if kind == "section":
+            return [body.fields[name] for body in self.bodies.values() if name in body.fields]
+        height = self.bodies[name].height
+        return [] if height is None else [height]
+
 
 def state_of_snapshot(snapshot: Snapshot) -> State:
     """The state of a stored step."""

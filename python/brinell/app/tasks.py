@@ -119,13 +119,14 @@ def _picture_of_fields(fields: Mapping[str, Any], step: int, shown: Mapping[str,
 
 
 def _first_of(state: Any, shown: Mapping[str, str], picture: Callable[..., dict[str, Any]]) -> dict[str, Any]:
-    """The wanted picture of a state, or the first one that there is."""
-    names = state.names()
+    """The wanted picture of a state, or the first one that has something to show."""
+    names, empty = state.names(), state.empty()
     kind = shown.get("kind", "map")
     kind = kind if names.get(kind) else "map"
     name = shown.get("name", "")
-    found = picture(state, kind, name if name in names[kind] else names[kind][0])
-    return {**found, "names": names}
+    first = next((one for one in names[kind] if one not in empty[kind]), names[kind][0])
+    found = picture(state, kind, name if name in names[kind] else first)
+    return {**found, "names": names, "empty": empty}
 
 
 def outline(_stop: Stop, root: str, name: str) -> Iterator[dict[str, Any] | None]:

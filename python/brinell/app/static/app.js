@@ -273,19 +273,39 @@ const colourOf = (place) => COLOURS[place % COLOURS.length];
 const scenarioShown = () => page.live?.scenario ?? page.shown[0]?.outline?.scenario ?? page.values.scenario;
 const columnsOf = (scenario) => start.columns[scenario] ?? [];
 
-/** The columns to choose from, and those of the scenario's first curve. */
+/** The columns of the scenario's first curve are chosen; the menus offer those that have values. */
 function chooseAxes() {
   const scenario = scenarioShown();
   if (!scenario || $("x").dataset.scenario === scenario) return;
   const columns = columnsOf(scenario), [x, y] = FIRST_AXES[scenario] ?? [];
   for (const [select, wanted, otherwise] of [[$("x"), x, "step"], [$("y"), y, "F_n"]]) {
-    select.replaceChildren(...columns.map((one) => h("option", { value: one.name, title: one.text }, `${short(one)} (${one.name})`)));
+    offer(select, columns.map(columnEntry));
     select.value = columns.some((one) => one.name === wanted) ? wanted : otherwise;
   }
   $("x").dataset.scenario = scenario;
+  drawAxes();
+}
+
+const columnEntry = (one) => [one.name, `${short(one)} (${one.name})`, one.text];
+
+/** The columns with a value other than zero in one of the results that are shown; all while there is none. */
+function filledColumns() {
+  const results = [page.live, ...page.shown].filter((one) => one?.columns.step?.length);
+  return columnsOf(scenarioShown()).filter((column) => !results.length || results.some((one) => one.columns[column.name]?.some(Boolean)));
+}
+
+/** Leaves out of the menus what is empty in all results that are shown, but for what is chosen, and says so. */
+function drawAxes() {
+  const all = columnsOf(scenarioShown()), filled = filledColumns();
+  const left = all.filter((one) => !filled.includes(one));
+  for (const select of [$("x"), $("y")]) {
+    offer(select, all.filter((one) => filled.includes(one) || one.name === select.value).map(columnEntry));
+    select.title = left.length ? `Left out, as they are empty in what is shown: ${left.map((one) => one.name).join(", ")}` : "";
+  }
 }
 
 function drawCurve() {
+  drawAxes();
   const columns = columnsOf(scenarioShown());
   const [x, y] = [$("x").value, $("y").value].map((name) => columns.find((one) => one.name === name) ?? { name, unit: "", text: name });
   const curve = (name, from, place, extra = {}) => ({ name, x: from[x.name] ?? [], y: from[y.name] ?? [], colour: colourOf(place), dash: DASHES[place % DASHES.length], ...extra });
@@ -318,15 +338,8 @@ async function drawPictures() {
     try { found.push([one.name, await ask("POST", "/api/picture", { name: one.name, state: $("state").value || "aligned", shown })]); } catch (error) { found.push([one.name, error.message]); }
     if (mine !== picturing) return;
   }
-  const first = found.map(([, picture]) => picture).find((picture) => picture?.names);
-  if (first) {
-    const kept = $("field").value, names = first.names[first.kind];
-    $("field").replaceChildren(...names.map((name) => h("option", { value: name }, start.titles[name] ?? `${name} body`)));
-    $("field").value = names.includes(kept) ? kept : first.name;
-    for (const option of $("kind").options) option.disabled = !first.names[option.value]?.length;
-    $("kind").value = first.kind;
-  }
-  shareColours(found.map(([, picture]) => picture).filter((picture) => picture?.names));
+  const drawn = found.map(([, picture]) => picture).filter((picture) => picture?.names);
+  if (drawn.length) { drawFieldMenus(drawn); shareColours(drawn); }
   const box = $("pictures");
   if (box.firstElementChild?.tagName === "P") box.replaceChildren();
   while (box.children.length > found.length) box.lastChild.remove();
@@ -347,6 +360,18 @@ async function drawPictures() {
   });
   if (!found.length) box.replaceChildren(h("p", { class: "quiet" }, "Nothing is shown. Run a case, or add a run."));
   pictured = mine;
+}
+
+/** The fields to choose from: those with a value other than zero in one of the states that are shown, and the chosen one. */
+function drawFieldMenus(drawn) {
+  const [first] = drawn, kept = $("field").value;
+  const filled = (kind) => first.names[kind].filter((name) => drawn.some((one) => one.names[kind].includes(name) && !one.empty[kind].includes(name)));
+  const chosen = first.names[first.kind].includes(kept) ? kept : first.name;
+  const names = first.names[first.kind].filter((name) => name === chosen || filled(first.kind).includes(name));
+  offer($("field"), names.map((name) => [name, start.titles[name] ?? `${name} body`]));
+  $("field").value = chosen;
+  for (const option of $("kind").options) option.disabled = option.value !== first.kind && !filled(option.value).length;
+  $("kind").value = first.kind;
 }
 
 function drawNumbers() {
