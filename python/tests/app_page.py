@@ -36,7 +36,7 @@ class Page:
         self.wait("document.body.dataset.ready")
         self.wait("document.body.dataset.took")
 
-    def wait(self, condition: str, seconds: float = 60.0) -> Any:
+    def wait(self, condition: str, seconds: float = 180.0) -> Any:
         """What a JavaScript expression is worth once it is true."""
         from test_report_browser import wait_for
 
@@ -73,10 +73,6 @@ class Page:
         from selenium.webdriver.support.ui import Select
 
         self.act(selector, lambda element: Select(element).select_by_visible_text(text))
-
-    def options(self, selector: str) -> list[Any]:
-        """The entries of a menu."""
-        return list(self.one(selector).find_elements("css selector", "option"))
 
     def type(self, key: str, text: str) -> None:
         """Types into the field of a key, and leaves it."""

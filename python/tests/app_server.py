@@ -97,7 +97,7 @@ class Server:
                     answer += part
         return (int(answer.split(b" ")[1]) if answer.startswith(b"HTTP/1.") else 0), answer
 
-    def wait_until(self, condition: Any, what: str, seconds: float = 60.0) -> Any:
+    def wait_until(self, condition: Any, what: str, seconds: float = 180.0) -> Any:
         """What a condition is worth once it is true."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:

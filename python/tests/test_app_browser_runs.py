@@ -80,6 +80,10 @@ def test_what_is_empty_in_all_that_is_shown_stands_in_no_menu(page: Page) -> Non
     def offered(menu: str) -> set[str]:
         return set(page.js(f"[...document.getElementById('{menu}').options].map((one) => one.value)"))
 
+    def text_of(column: str) -> str:
+        entry = f"[...document.getElementById('y').options].find((one) => one.value === '{column}')"
+        return str(page.js(f"{entry}.text"))
+
     columns = page.js("page.live.columns")
     filled = {name for name, values in columns.items() if any(values)}
     assert {"approach", "F_n", "dissipation_lower"} <= filled
@@ -88,7 +92,7 @@ def test_what_is_empty_in_all_that_is_shown_stands_in_no_menu(page: Page) -> Non
     assert offered("x") == offered("y") == filled
     assert empty <= set(page.one("#y").get_attribute("title").rpartition(": ")[2].split(", "))
 
-    page.choose("#y", next(one.text for one in page.options("#y") if "(dissipation_lower)" in one.text))
+    page.choose("#y", text_of("dissipation_lower"))
     page.tab("fields")
     page.choose("#kind", "section")
     page.wait("document.getElementById('field').value && picturing === pictured")
@@ -99,7 +103,7 @@ def test_what_is_empty_in_all_that_is_shown_stands_in_no_menu(page: Page) -> Non
     assert "dissipation_lower" in offered("y")  # what is chosen stays
     assert "max_equivalent_plastic_strain" not in offered("y")
     page.tab("curves")
-    page.choose("#y", next(one.text for one in page.options("#y") if "(F_n)" in one.text))
+    page.choose("#y", text_of("F_n"))
     assert "dissipation_lower" not in offered("y")
     page.tab("fields")
     page.wait("picturing === pictured")

@@ -6,6 +6,8 @@ from __future__ import annotations
 import datetime
 import json
 import os
+import time
+from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +20,9 @@ import brinell.cli
 pytest.importorskip("scipy")
 
 from brinell._toml import tomllib
-from brinell.fits import Data, Fit, Unknown, data_from_file
+from brinell.fits import Course, Data, Fit, Unknown, data_from_file
 from brinell.fits.checks import turning_points
+from brinell.fits.fitting import _pool
 from brinell.fits.model import load_at
 
 pytestmark = pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning", "ignore::brinell.CaseWarning")
@@ -322,3 +325,37 @@ def test_figures_show_every_unknown(curve: tuple[np.ndarray, np.ndarray]) -> Non
     assert set(figures) >= {"curve", "corner", "profiles"}
     assert len(figures["corner"].axes) == 4
     assert found[YIELD].by_profile
+
+
+def test_the_course_of_a_fit_is_told(curve: tuple[np.ndarray, np.ndarray]) -> None:
+    seen: list[Course] = []
+    unknown = Unknown(YIELD, "300 MPa", "3 GPa")
+    result = brinell.fit(ball(), unknowns=[unknown], data=Data(*curve, noise="1 %"), watch=seen.append)
+    runs = [one.runs for one in seen]
+    assert runs == sorted(runs)
+    assert runs[-1] == result.runs
+    stages = list(dict.fromkeys(one.stage for one in seen))
+    assert stages[:2] == ["points between the bounds", "first search"]
+    assert stages[-1] == "intervals"
+    for stage in ("first search", "cells of the case"):
+        misfits = [one.misfit for one in seen if one.stage == stage and one.misfit is not None]
+        assert misfits == sorted(misfits, reverse=True), stage  # the best of the stage so far
+    last = seen[-1]
+    ((value, unit),) = last.values.values()
+    assert unit == "Pa"
+    assert result["yield stress"].low < value < result["yield stress"].high
+    assert [one.size for one in last.fitted] == [one.data.y.size for one in result.curves]
+    assert all(one is other.data for one, other in zip(last.data, result.curves, strict=True))
+
+
+def test_runs_that_wait_are_given_up_when_a_fit_is_interrupted() -> None:
+    waiting: list[Future[None]] = []
+
+    def interrupted() -> None:
+        with _pool(1, None) as pool:
+            waiting.extend(pool.submit(time.sleep, 0.1) for _ in range(50))
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        interrupted()
+    assert sum(one.cancelled() for one in waiting) > 45

@@ -18,7 +18,7 @@ from brinell._toml import tomllib
 from brinell.app.forms import form, plain_key, sections, table_of
 from brinell.errors import InputError
 
-__all__ = ["CaseText", "Values", "text_of", "values_of"]
+__all__ = ["CaseText", "Values", "inline", "text_of", "values_of"]
 
 Values: TypeAlias = Mapping[str, Any]
 
@@ -100,7 +100,7 @@ def text_of(values: Values) -> CaseText:
                 written.append(heading)
                 lines[len(written)] = table
         for key in keys:
-            written.append(f"{_name(key.rpartition('.')[2])} = {_inline(values[key])}")
+            written.append(f"{_name(key.rpartition('.')[2])} = {inline(values[key])}")
             lines[len(written)] = key
     return CaseText("\n".join(written) + "\n" if written else "", lines)
 
@@ -142,19 +142,19 @@ def _headings(table: str, seen: set[str], tables: Mapping[str, Any]) -> list[str
 
 
 def _name(name: str) -> str:
-    return name if _BARE.match(name) else _inline(name)
+    return name if _BARE.match(name) else inline(name)
 
 
-def _inline(value: Any) -> str:
+def inline(value: Any) -> str:
     """A value as TOML on one line."""
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_name(key)} = {_inline(one)}" for key, one in value.items()) + "}"
+        return "{" + ", ".join(f"{_name(key)} = {inline(one)}" for key, one in value.items()) + "}"
     if isinstance(value, list):
-        return "[" + ", ".join(map(_inline, value)) + "]"
+        return "[" + ", ".join(map(inline, value)) + "]"
     if isinstance(value, bool | str):  # TOML escapes as JSON does, and DEL besides
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, int) and not -(2**63) <= value < 2**63:  # TOML has no such number; the engine refuses the text
-        return _inline(str(value))
+        return inline(str(value))
     if isinstance(value, int | float):
         return repr(value)
     raise InputError(f"{value!r} is no value of a case")

@@ -3,22 +3,31 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import tempfile
+import time
 from collections import deque
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import IO
 
 from brinell.errors import InputError, IoError
 
-__all__ = ["Entry", "Folder"]
+__all__ = ["PROGRESS", "Entry", "Folder", "is_locked", "json_of", "lock", "write_whole"]
+
+PROGRESS = "progress.json"
+"""How far a fit is, in its folder until it has finished."""
 
 _DEPTH = 4
 _DATA = (".npy", ".csv", ".txt", ".dat", ".xyz", ".asc")
+_TEXTS = (".csv", ".txt", ".dat", ".asc")
 _MOST = 500
 _MOST_FOLDERS = 2000
+_TRIES = 20
 _LARGEST_CASE = 4_000_000  # bytes
+_LARGEST_DATA = 20_000_000  # bytes
 
 
 @dataclass(frozen=True)
@@ -32,7 +41,7 @@ class Entry:
     changed: float
     """Time of the last change [s since 1970]."""
     complete: bool = True
-    """Of a run: whether it has finished."""
+    """Of a run or a fit: whether it has finished."""
 
 
 class Folder:
@@ -115,6 +124,8 @@ class Folder:
         names = {one.name: one for one in here if one.is_file(follow_symlinks=False)}
         if depth and "history.csv" in names:
             return [self._entry("run", folder, names["history.csv"], "summary.json" in names)], []
+        if depth and "fit.toml" in names and PROGRESS in names and "fit.json" not in names:
+            return [self._entry("fit", folder, names[PROGRESS], complete=False)], []
         kind = "sweep" if "sweep.json" in names else "fit" if "fit.json" in names else ""
         found = [self._entry(kind, folder, names[f"{kind}.json"])] if depth and kind else []
         if found and kind == "fit":
@@ -144,6 +155,33 @@ class Folder:
             return path.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
             raise InputError(f"{name!r} cannot be read: {error}") from error
+
+    def data_file(self, name: str) -> Path:
+        """A file of the folder with numbers as text.
+
+        Raises:
+            InputError: there is none of this name, or it is too large.
+        """
+        path = self.inside(name)
+        if path.suffix not in _TEXTS or not path.is_file() or path.stat().st_size > _LARGEST_DATA:
+            raise InputError(
+                f"{name[:200]!r} is no file of numbers as text, or larger than {_LARGEST_DATA // 10**6} MB"
+            )
+        return path
+
+    def read_data(self, name: str) -> str:
+        """Text of a file with numbers.
+
+        Raises:
+            InputError: there is none of this name, or it is too large.
+        """
+        content = self.data_file(name).read_bytes()
+        if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+            return content.decode("utf-16", errors="replace")
+        try:
+            return content.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            return content.decode("latin-1")
 
     def write_case(self, name: str, text: str, *, replace: bool) -> Path:
         """Writes a case file, as a whole or not at all.
@@ -205,6 +243,33 @@ def _is_case(file: os.DirEntry[str]) -> bool:
             return any(line.lstrip().startswith("scenario") for line in text)
     except (OSError, UnicodeDecodeError):
         return False
+
+
+def lock(file: IO[bytes]) -> None:
+    """Takes the lock of a file, as the process of a fit does for as long as it lives.
+
+    Raises:
+        IoError: another process has it.
+    """
+    for _ in range(_TRIES):
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except BlockingIOError:  # perhaps only of one that looks whether it is free
+            time.sleep(0.05)
+    raise IoError(f"{file.name} is used by another process, which computes it already")
+
+
+def is_locked(path: Path) -> bool:
+    """Whether a process holds the lock of a file, whichever server has begun it."""
+    try:
+        with open(path, "rb") as file:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    except OSError:
+        return False
+    return False
 
 
 def write_whole(path: Path, text: str) -> None:

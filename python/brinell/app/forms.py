@@ -23,6 +23,7 @@ _UNITS: Mapping[str, tuple[str, ...]] = {
     "degrees": ("deg", "mrad", "rad"),
     "degC": ("degC", "K"),
     "s": ("s", "ms", "us"),
+    "m/N": ("um/N", "m/N"),
     "m/s": ("m/s", "mm/s", "um/s"),
     "Hz": ("Hz", "kHz"),
     "W": ("W", "mW", "kW"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs and sweeps of the page: one at a time, each a process of its own that writes as `brinell run` does."""
+"""Runs, sweeps and fits of the page: one at a time, each a process of its own that writes as the commands do."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MOST_WAITING = 50
 
 @dataclass
 class Job:
-    """A run or a sweep of this server."""
+    """A run, a sweep or a fit of this server."""
 
     name: str
     """Its folder."""
@@ -34,6 +34,8 @@ class Job:
     of: int = 0
     place: str = ""
     error: str = ""
+    ending: State = "failed"
+    """State once its process has ended."""
     process: asyncio.subprocess.Process | None = field(default=None, repr=False)
 
     def as_json(self) -> dict[str, Any]:
@@ -98,9 +100,9 @@ class Jobs:
             async for line in job.process.stdout:
                 self._hear(job, line)
             code = await job.process.wait()
-            if job.state == "running":
-                job.state = "failed"
+            if job.ending == "failed":
                 job.error = job.error or f"the process has ended with {code}"
+            job.state = job.ending
 
     def _hear(self, job: Job, line: bytes) -> None:
         try:
@@ -110,11 +112,11 @@ class Jobs:
         if "done" in message:
             job.done, job.of, job.place = message["done"], message["of"], message["place"]
         elif "error" in message:
-            job.state, job.error = "failed", message["error"]
+            job.error = message["error"]
         elif "stopped" in message:
-            job.state = "stopped"
+            job.ending = "stopped"
         elif "finished" in message:
-            job.state = "finished"
+            job.ending = "finished"
             job.done = job.of = max(job.done, job.of)
 
     def get(self, name: str) -> Job | None:

@@ -5,37 +5,38 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import csv
 import json
 import os
 import time
 import uuid
-from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import asdict
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, cast
 
 from starlette.applications import Starlette
-from starlette.requests import ClientDisconnect, Request
+from starlette.requests import Request
 from starlette.responses import JSONResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 import brinell
 from brinell import _core
-from brinell.app import forms, tasks
+from brinell.app import fitting, forms, tasks
+from brinell.app.answers import body_of, by_method, handlers, rows_of, text_of_file
 from brinell.app.case_text import text_of, values_of
 from brinell.app.checking import values_that_apply
-from brinell.app.folder import Entry, Folder
+from brinell.app.folder import PROGRESS, Entry, Folder, is_locked, json_of
 from brinell.app.guard import Guard, RefusedError
 from brinell.app.materials import Materials
 from brinell.app.runs import Job, Jobs
-from brinell.app.workers import Worker, WorkerLostError
+from brinell.app.workers import Worker
 from brinell.errors import BrinellError, InputError
 
 __all__ = ["Server", "application"]
 
-_STATIC = {f"{name}.js": "text/javascript" for name in ("form", "plots", "app", "page")} | {"app.css": "text/css"}
+_SCRIPTS = ("form", "plots", "app", "fit", "page")
+_STATIC = {f"{name}.js": "text/javascript" for name in _SCRIPTS} | {"app.css": "text/css"}
 _MOST_SWEPT = 200
 _TIMES_AS_LONG = 5
 
@@ -70,7 +71,7 @@ class Server:
         self._previews: dict[str, str] = {}
         self._jobs: Jobs | None = None
         self._looked: tuple[float, list[Entry]] = (0.0, [])
-        self.app = Starlette(routes=self._routes(), lifespan=self._lifespan, exception_handlers=_handlers())
+        self.app = Starlette(routes=self._routes(), lifespan=self._lifespan, exception_handlers=handlers())
 
     def _routes(self) -> list[Route]:
         plain: list[tuple[str, str, Callable[[Request], Awaitable[Response]]]] = [
@@ -81,10 +82,14 @@ class Server:
             ("GET", "/api/template", self._template),
             ("GET", "/api/case", self._read_case),
             ("PUT", "/api/case", self._write_case),
+            ("GET", "/api/curve", self._curve),
             ("POST", "/api/parse", self._parse),
             ("POST", "/api/check", self._check),
             ("POST", "/api/run", self._run),
             ("POST", "/api/sweep", self._sweep),
+            ("POST", "/api/fit-check", self._check_fit),
+            ("POST", "/api/fit", self._fit),
+            ("GET", "/api/fit", self._read_fit),
             ("POST", "/api/stop", self._stop),
             ("POST", "/api/resume", self._resume),
             ("POST", "/api/preview", self._preview),
@@ -98,7 +103,7 @@ class Server:
         by_path: dict[str, dict[str, Any]] = {}
         for method, path, do in plain:
             by_path.setdefault(path, {})[method] = do
-        return [Route(path, _by_method(methods), methods=list(methods)) for path, methods in by_path.items()]
+        return [Route(path, by_method(methods), methods=list(methods)) for path, methods in by_path.items()]
 
     @contextlib.asynccontextmanager
     async def _lifespan(self, _app: Starlette) -> AsyncIterator[None]:
@@ -134,12 +139,14 @@ class Server:
             scenario: [{"name": c.name, "unit": c.unit, "text": c.text} for c in listed]
             for scenario, listed in _core.columns().items()
         }
+        units = {one["unit"] for listed in columns.values() for one in listed} | {"m/N", "m/s"}
         from brinell.app.pictures import titles
 
         return JSONResponse(
             {
                 "form": forms.as_json(),
                 "columns": columns,
+                "units": {unit: forms.units_of(unit) for unit in units},
                 "titles": titles(),
                 "folder": str(self._folder.root),
                 "materials": self._materials.all(),
@@ -184,17 +191,21 @@ class Server:
         return JSONResponse({"values": values_of(text), "has_comments": "#" in text})
 
     async def _write_case(self, request: Request) -> Response:
-        body = await _body(request, name=str, values=dict, replace=bool)
+        body = await body_of(request, name=str, values=dict, replace=bool)
         text = text_of(body["values"]).text
         self._folder.write_case(body["name"], text, replace=body["replace"])
         return JSONResponse({"name": body["name"]})
 
+    async def _curve(self, request: Request) -> Response:
+        text = await asyncio.to_thread(self._folder.read_data, request.query_params.get("name", ""))
+        return JSONResponse({"text": text})
+
     async def _parse(self, request: Request) -> Response:
-        body = await _body(request, text=str)
+        body = await body_of(request, text=str)
         return JSONResponse({"values": values_of(body["text"])})
 
     async def _check(self, request: Request) -> Response:
-        body = await _body(request, values=dict, park=bool)
+        body = await body_of(request, values=dict, park=bool)
         values = values_that_apply(body["values"]) if body["park"] else body["values"]
         result = await self._checker.call(tasks.check, values, str(self._folder.root), timeout=30.0)
         parked = {key: value for key, value in body["values"].items() if key not in values}
@@ -202,7 +213,7 @@ class Server:
 
     # --- Runs ---------------------------------------------------------------------------------------------------------
     async def _run(self, request: Request) -> Response:
-        body = await _body(request, values=dict, name=str)
+        body = await body_of(request, values=dict, name=str)
         text = await self._valid_text([body["values"]])
         path = self._folder.new_results(body["name"])
         task = self._task("run", text)
@@ -218,7 +229,7 @@ class Server:
         return {"kind": kind, "text": text, "file": file, "resume": False, "threads": None}
 
     async def _sweep(self, request: Request) -> Response:
-        body = await _body(request, values=dict, name=str, key=str, over=list)
+        body = await body_of(request, values=dict, name=str, key=str, over=list)
         if not 2 <= len(body["over"]) <= _MOST_SWEPT:
             raise InputError(f"{len(body['over'])} values; allowed: 2 to {_MOST_SWEPT}")
         text = await self._valid_text(
@@ -229,12 +240,46 @@ class Server:
         task = self._task("sweep", text) | {"key": body["key"], "values": body["over"], "workers": workers}
         return JSONResponse(self.jobs.begin(self._folder.name_of(path), task).as_json())
 
+    async def _check_fit(self, request: Request) -> Response:
+        body = await body_of(request, values=dict, fit=dict)
+        asked = body["values"], str(self._folder.root), body["fit"]
+        return JSONResponse(await self._checker.call(fitting.check_fit, *asked))
+
+    async def _fit(self, request: Request) -> Response:
+        body = await body_of(request, values=dict, name=str, fit=dict)
+        asked = body["values"], str(self._folder.root), body["fit"]
+        files = await self._checker.call(fitting.fit_files, *asked)
+        path = self._folder.new_results(body["name"])
+        for name, content in {**files, PROGRESS: b'{"stage": "waits", "runs": 0}'}.items():
+            (path / name).write_bytes(content)
+        return JSONResponse(self._begin_fit(self._folder.name_of(path)))
+
+    def _begin_fit(self, name: str) -> dict[str, Any]:
+        workers = len(os.sched_getaffinity(0))
+        return self.jobs.begin(name, {"kind": "fit", "workers": workers}).as_json()
+
+    async def _read_fit(self, request: Request) -> Response:
+        name = request.query_params.get("name", "")
+        path = self._folder.result(name)
+        text = await asyncio.to_thread(text_of_file, path / "fit.toml")
+        running = await asyncio.to_thread(is_locked, path / "fit.toml")
+        if (path / "fit.json").is_file() and not running:
+            told = await self._painter.call(fitting.fit_result, str(self._folder.root), name)
+        else:
+            told = {**await asyncio.to_thread(json_of, path / PROGRESS), "complete": False, "running": running}
+        return JSONResponse({**told, "name": name, "text": text})
+
     async def _stop(self, request: Request) -> Response:
-        body = await _body(request, name=str)
+        body = await body_of(request, name=str)
         return JSONResponse(self.jobs.stop(body["name"]).as_json())
 
     async def _resume(self, request: Request) -> Response:
-        body = await _body(request, name=str)
+        body = await body_of(request, name=str)
+        fit = self._folder.inside(body["name"]) / "fit.toml"
+        if fit.is_file() and (fit.parent / PROGRESS).is_file():
+            if is_locked(fit):
+                raise InputError(f"{body['name']} is still being computed")
+            return JSONResponse(self._begin_fit(body["name"]))
         outline = await self._painter.call(tasks.outline, str(self._folder.root), body["name"])
         if outline is None or not outline["values"]:
             raise InputError(f"nothing of {body['name']} is kept that could be resumed")
@@ -244,7 +289,7 @@ class Server:
         return JSONResponse(self.jobs.begin(body["name"], task).as_json())
 
     async def _preview(self, request: Request) -> Response:
-        body = await _body(request, values=dict, shown=dict, tab=str)
+        body = await body_of(request, values=dict, shown=dict, tab=str)
         tab = body["tab"][:50]
         mine = self._previews[tab] = uuid.uuid4().hex
         if len(self._previews) > 1000:
@@ -272,7 +317,7 @@ class Server:
         first = request.query_params.get("from", "0")
         path = self._folder.result(name) / "history.csv"
         job = self.jobs.get(name)
-        columns = await asyncio.to_thread(_rows_of, path, int(first) if first.isdecimal() else 0)
+        columns = await asyncio.to_thread(rows_of, path, int(first) if first.isdecimal() else 0)
         complete = (path.parent / "summary.json").is_file()
         return JSONResponse({"columns": columns, "complete": complete, "job": self._told(job) if job else None})
 
@@ -283,7 +328,7 @@ class Server:
         return JSONResponse(await self._painter.call(task, str(self._folder.root), *arguments))
 
     async def _picture(self, request: Request) -> Response:
-        body = await _body(request, name=str, state=str, shown=dict)
+        body = await body_of(request, name=str, state=str, shown=dict)
         return await self._painted(tasks.image, body["name"], body["state"], body["shown"])
 
     async def _figures(self, request: Request) -> Response:
@@ -291,22 +336,14 @@ class Server:
 
     # --- Materials ----------------------------------------------------------------------------------------------------
     async def _store_material(self, request: Request) -> Response:
-        body = await _body(request, name=str, source=str, values=dict)
+        body = await body_of(request, name=str, source=str, values=dict)
         self._materials.store(body["name"].strip(), body["source"], body["values"])
         return JSONResponse({"materials": self._materials.all()})
 
     async def _remove_material(self, request: Request) -> Response:
-        body = await _body(request, name=str)
+        body = await body_of(request, name=str)
         self._materials.remove(body["name"])
         return JSONResponse({"materials": self._materials.all()})
-
-
-def _by_method(methods: Mapping[str, Callable[[Request], Awaitable[Response]]]) -> Any:
-    async def do(request: Request) -> Response:
-        method = "GET" if request.method == "HEAD" else request.method
-        return await methods[method](request)
-
-    return do
 
 
 def _resource(name: str) -> str:
@@ -317,58 +354,3 @@ def _plotly() -> str:
     from plotly.offline import get_plotlyjs
 
     return cast(str, get_plotlyjs())
-
-
-async def _body(request: Request, **members: type) -> dict[str, Any]:
-    """The body of a request.
-
-    Raises:
-        InputError: it is no JSON object with these members.
-    """
-    try:
-        body = json.loads(await request.body(), parse_constant=_refuse_constant)
-    except (ValueError, RecursionError) as error:
-        raise InputError("the body is not JSON") from error
-    if not isinstance(body, dict) or set(body) - set(members):
-        raise InputError(f"the body is not an object with {', '.join(members)}")
-    for name, kind in members.items():
-        if not isinstance(body.get(name), kind):
-            raise InputError(f"{name} is missing, or not of its type")
-    return body
-
-
-def _refuse_constant(name: str) -> Any:
-    raise ValueError(name)
-
-
-def _rows_of(path: Path, first: int) -> dict[str, list[float | None]]:
-    """Columns of a history from a row on, also of one that is being written."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except OSError:
-        return {}
-    lines = text[: text.rfind("\n") + 1].splitlines()
-    if not lines:
-        return {}
-    names = next(csv.reader(lines[:1]))
-    rows = [row for row in csv.reader(lines[1 + first :]) if len(row) == len(names)]
-    return {name: [_number(row[i]) for row in rows] for i, name in enumerate(names)}
-
-
-def _number(text: str) -> float | None:
-    value = float(text) if text else float("nan")
-    return value if value - value == 0.0 else None
-
-
-def _handlers() -> dict[Any, Any]:
-    async def wrong(_request: Request, error: Exception) -> Response:
-        status = 503 if isinstance(error, WorkerLostError) else 422
-        return JSONResponse({"error": str(error)}, status_code=status)
-
-    async def refused(_request: Request, error: Exception) -> Response:
-        return JSONResponse({"error": str(error)}, status_code=cast(RefusedError, error).status)
-
-    async def gone(_request: Request, _error: Exception) -> Response:
-        return Response(status_code=499)
-
-    return {BrinellError: wrong, OSError: wrong, RefusedError: refused, ClientDisconnect: gone}

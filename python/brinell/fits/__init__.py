@@ -27,9 +27,10 @@ except ModuleNotFoundError as error:
 
 from brinell.fits.data import Data, data_from_file
 from brinell.fits.fitting import fit
+from brinell.fits.problem import Course
 from brinell.fits.result import Curve, Estimate, Fit
 from brinell.fits.unknowns import Unknown
 
-__all__ = ["Curve", "Data", "Estimate", "Fit", "Unknown", "data_from_file", "fit"]
+__all__ = ["Course", "Curve", "Data", "Estimate", "Fit", "Unknown", "data_from_file", "fit"]
 
 explain_argument_errors(sys.modules[__name__])

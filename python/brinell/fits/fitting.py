@@ -21,13 +21,13 @@ from brinell.fits.data import Data
 from brinell.fits.file import read_fit
 from brinell.fits.intervals import Judged, cells_error, is_determined, judged, profiled, separable
 from brinell.fits.model import Observed
-from brinell.fits.problem import Problem, experiments_of
+from brinell.fits.problem import Course, Problem, experiments_of
 from brinell.fits.result import Curve, Estimate, Fit
 from brinell.fits.solve import LOSSES, Loss, Solution, searched, solved
 from brinell.fits.text import as_text
 from brinell.fits.unknowns import Parameter, Unknown
 
-__all__ = ["fit"]
+__all__ = ["check_request", "fit"]
 
 METHOD_ERROR = 0.01
 """Relative error of depths and other values by the method itself: half spaces, small strains, paraboloids."""
@@ -53,6 +53,7 @@ def fit(
     workers: int | None = None,
     cluster: Any = None,
     progress: bool | Callable[[str], None] = False,
+    watch: Callable[[Course], None] | None = None,
 ) -> Fit:
     """Finds unknown keys of a case from measured curves.
 
@@ -74,6 +75,7 @@ def fit(
         workers: number of runs at a time; None: number of cores.
         cluster: address or scheduler file of a Dask cluster, or a client of Dask, that computes the runs.
         progress: True prints a line per stage; a function gets these lines.
+        watch: a function that gets where the fit is: stage, runs, and the best point so far with its curves.
 
     Returns:
         Estimates, intervals, correlation, curves, and what the data cannot tell.
@@ -85,10 +87,10 @@ def fit(
     begin = time.perf_counter()
     if case is not None and not isinstance(case, Case) and not unknowns:
         settings = read_fit(Path(case))
-        return fit(**settings, workers=workers, cluster=cluster, progress=progress)
+        return fit(**settings, workers=workers, cluster=cluster, progress=progress, watch=watch)
     tell = progress if callable(progress) else print if progress else lambda text: None
     given = [data] if isinstance(data, Data) else list(data)
-    _check(given, unknowns, loss, confidence, method_error)
+    check_request(given, unknowns, loss, confidence, method_error)
     base = None if case is None else case if isinstance(case, Case) else Case.from_file(case)
     notes: list[str] = []
     for i, one in enumerate(given):
@@ -101,13 +103,15 @@ def fit(
     with _pool(workers, cluster) as pool, warnings.catch_warnings():
         warnings.simplefilter("ignore", ResolutionWarning)
         warnings.simplefilter("ignore", CaseWarning)
-        problem = Problem(given, parameters, experiments, pool)
+        problem = Problem(given, parameters, experiments, pool, watch)
         solution = solved(problem, loss, tell)
         for _ in range(_MOST_MINIMA):
             tell("error of the cells")
+            problem.enter("error of the cells")
             finer = cells_error(problem, solution.u)
             found = judged(problem, solution, loss, confidence, method_error, finer)
             tell("intervals")
+            problem.enter("intervals")
             found, better = profiled(problem, solution, found, loss, asked)
             if better is None:
                 break
@@ -133,7 +137,14 @@ def fit(
     )
 
 
-def _check(data: Sequence[Data], unknowns: Sequence[Unknown], loss: str, confidence: float, method: float) -> None:
+def check_request(
+    data: Sequence[Data], unknowns: Sequence[Unknown], loss: str, confidence: float, method: float
+) -> None:
+    """Checks what needs no run.
+
+    Raises:
+        InputError: data and unknowns do not go together, or a setting is not allowed.
+    """
     if not data or not unknowns:
         raise InputError("a fit needs unknowns and data; allowed: one or more of each")
     if loss not in LOSSES:
@@ -187,7 +198,11 @@ def _pool(workers: int | None, cluster: Any) -> Iterator[Executor]:
         if workers is not None and workers < 1:
             raise InputError(f"workers = {workers}; allowed: 1 or more")
         with ThreadPoolExecutor(workers or len(os.sched_getaffinity(0))) as pool:
-            yield pool
+            try:
+                yield pool
+            except BaseException:  # as Ctrl-C: runs that wait would be computed for nothing
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
         return
     try:
         from distributed import Client

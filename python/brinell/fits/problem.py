@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import itertools
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor, Future
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from brinell.fits.model import Observed, Wanted, history_of, observe, predicted
 from brinell.fits.unknowns import MACHINE, Parameter, values_of
 from brinell.sweeps.lists import table_of, with_whole_lists
 
-__all__ = ["LEAST_NOISE", "Experiment", "Problem", "experiments_of"]
+__all__ = ["LEAST_NOISE", "Course", "Experiment", "Problem", "experiments_of"]
 
 _UNKNOWN_NOISE = 0.01
 """Noise, as a part of the largest value, with which the search begins where the user gives none."""
@@ -38,6 +38,28 @@ class Experiment:
     members: tuple[int, ...]
     """Indices of the data."""
     wanted: Wanted
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """Where a fit is, for who follows it.
+
+    Attributes:
+        stage: what is being done.
+        runs: number of runs that have ended.
+        misfit: root mean square of the residuals in standard deviations, at the best point of this stage so far; None
+            before the first.
+        values: the unknowns at that point with their units, by name.
+        fitted: values of the runs at that point, of each of the data.
+        data: what is compared, without points at holds.
+    """
+
+    stage: str = ""
+    runs: int = 0
+    misfit: float | None = None
+    values: Mapping[str, tuple[float, str]] = field(default_factory=dict)
+    fitted: Sequence[FloatArray] = ()
+    data: Sequence[Data] = ()
 
 
 def experiments_of(case: Case | None, data: Sequence[Data], parameters: Sequence[Parameter]) -> list[Experiment]:
@@ -95,14 +117,21 @@ class Problem:
     """
 
     def __init__(
-        self, data: Sequence[Data], parameters: Sequence[Parameter], experiments: Sequence[Experiment], pool: Executor
+        self,
+        data: Sequence[Data],
+        parameters: Sequence[Parameter],
+        experiments: Sequence[Experiment],
+        pool: Executor,
+        watch: Callable[[Course], None] | None = None,
     ):
-        """Sets up the problem; no run is computed."""
+        """Sets up the problem; no run is computed. `watch` gets the course of the fit, often."""
         self.data, self.parameters, self.experiments = list(data), list(parameters), list(experiments)
         self.cells: list[dict[str, Any]] = [{} for _ in experiments]
         self.steps = np.array([one.step for one in parameters])
         self.runs = 0
         self._pool = pool
+        self._watch = watch
+        self._course = Course(data=self.data)
         self._cache: dict[Any, Future[Observed]] = {}
         self._branches: list[FloatArray | None] = [None] * len(self.data)
         self.y = np.concatenate([one.y for one in self.data])
@@ -134,7 +163,37 @@ class Problem:
     def observed(self, points: Sequence[FloatArray]) -> list[list[Observed | BrinellError]]:
         """Runs of all experiments at several points u, computed in parallel; an error where a run fails."""
         futures = [[self._submitted(i, u) for i in range(len(self.experiments))] for u in points]
-        return [[_outcome(one) for one in row] for row in futures]
+        return [[self._outcome(one) for one in row] for row in futures]
+
+    def _outcome(self, future: Future[Observed]) -> Observed | BrinellError:
+        try:
+            return future.result()
+        except BrinellError as error:
+            return error
+        finally:
+            if self._watch is not None:
+                ended = sum(one.done() for one in self._cache.values())
+                if ended != self._course.runs:
+                    self._tell(runs=ended)
+
+    def enter(self, stage: str) -> None:
+        """Tells who follows the fit what is done now; values and curves stay until there are better ones."""
+        self._tell(stage=stage)
+
+    def follow(self, stage: str, u: FloatArray, curve: FloatArray) -> float:
+        """Misfit at a point: root mean square of the residuals, which is told to who follows the fit."""
+        misfit = float(np.sqrt(np.mean(self.residuals(curve, u) ** 2)))
+        seen = self._course
+        if self._watch is not None and (stage != seen.stage or seen.misfit is None or misfit <= seen.misfit):
+            known = zip(self.parameters, u.tolist(), strict=True)
+            values = {one.name: (one.value(x), one.unit) for one, x in known}
+            self._tell(stage=stage, misfit=misfit, values=values, fitted=[curve[part] for part in self.parts])
+        return misfit
+
+    def _tell(self, **changes: Any) -> None:
+        self._course = replace(self._course, **changes)
+        if self._watch is not None:
+            self._watch(self._course)
 
     def forecast(self, u: FloatArray) -> float:
         """Foretold processor time of the runs at u [s]; infinite where a case is not allowed."""
@@ -318,10 +377,3 @@ def _shifted(data: Data, shift: FloatArray | float) -> Data:
         object.__setattr__(other, name, value)
     object.__setattr__(other, "x", data.x + shift)
     return other
-
-
-def _outcome(future: Future[Observed]) -> Observed | BrinellError:
-    try:
-        return future.result()
-    except BrinellError as error:
-        return error

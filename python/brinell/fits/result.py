@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,7 @@ from brinell.fits.text import as_text
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Curve", "Estimate", "Fit"]
+__all__ = ["Curve", "Estimate", "Fit", "rows_of"]
 
 
 @dataclass(frozen=True)
@@ -143,6 +144,7 @@ class Fit:
                 {
                     "name": one.data.name,
                     "kind": one.data.kind,
+                    "columns": list(one.data.columns),
                     "x": one.data.x.tolist(),
                     "measured": one.data.y.tolist(),
                     "fitted": one.fitted.tolist(),
@@ -193,18 +195,26 @@ class Fit:
 
     def table(self) -> str:
         """The estimates as text."""
-        rows = [("", "value", f"{100 * self.confidence:g} % interval", "by scatter alone", "shift by finer cells")]
-        for one in self.estimates:
-            if one.determined:
-                within = (f"{_text(one, one.low)} to {_text(one, one.high)}", _range(one), _text(one, one.cells))
-            else:
-                within = ("not determined by these data", "", "")
-            rows.append((one.name, _text(one, one.value), *within))
+        rows = rows_of(self.estimates, self.confidence)
         widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         return "\n".join("  ".join(cell.ljust(w) for cell, w in zip(r, widths, strict=True)).rstrip() for r in rows)
 
     def __repr__(self) -> str:
         return f"<brinell.Fit {self.title!r}: {len(self.estimates)} unknowns, {self.runs} runs>\n{self.table()}"
+
+
+def rows_of(estimates: Sequence[Estimate], confidence: float) -> list[tuple[str, ...]]:
+    """The cells of the table of a fit, its head first."""
+    rows: list[tuple[str, ...]] = [
+        ("", "value", f"{100 * confidence:g} % interval", "by scatter alone", "shift by finer cells")
+    ]
+    for one in estimates:
+        if one.determined:
+            within = (f"{_text(one, one.low)} to {_text(one, one.high)}", _range(one), _text(one, one.cells))
+        else:
+            within = ("not determined by these data", "", "")
+        rows.append((one.name, _text(one, one.value), *within))
+    return rows
 
 
 def _text(one: Estimate, value: float) -> str:

@@ -169,6 +169,7 @@ def _start(problem: Problem, u: FloatArray, progress: Progress) -> tuple[FloatAr
     most = _DEAREST * float(np.median(costs_of_runs))
     points = [u, *(one for one, cost in zip(points[1:], costs_of_runs[1:], strict=True) if cost <= most)]
     progress(f"{len(points)} points between the bounds")
+    problem.enter("points between the bounds")
     outcomes = problem.observed(points[:1])
     problem.limit_depths(_DEEPEST)
     outcomes += problem.observed(points[1:])
@@ -181,6 +182,7 @@ def _start(problem: Problem, u: FloatArray, progress: Progress) -> tuple[FloatAr
         if not isinstance(found, BrinellError):
             residuals = problem.residuals(found, points[i])
             costs[i] = float(np.sum(np.arcsinh(residuals) ** 2))  # far away only the order matters
+            problem.follow("points between the bounds", points[i], found)
     return points[min(costs, key=lambda i: costs[i])], notes
 
 
@@ -224,7 +226,7 @@ def _search(
         if isinstance(found, BrinellError):
             return np.full(problem.residuals(problem.y, point).size, _NOWHERE)
         result = problem.residuals(found, point)
-        misfit = float(np.sqrt(np.mean(result**2)))
+        misfit = problem.follow(what, point, found)
         progress(f"{what}: {problem.runs} runs, misfit {misfit:.3g} standard deviations")
         if misfit < enough:
             raise _Enough(point)

@@ -82,6 +82,7 @@ function drawCase() {
     unplaced.length ? h("div", { class: "warn" }, h("strong", {}, "To be known of the result"), h("ul", {}, unplaced.map(item))) : "");
   drawTexts();
   drawSweepKeys();
+  drawFit();
 }
 
 /** The case as text, and the command and the Python that run it. */
@@ -189,17 +190,18 @@ function drawJobs() {
 /** A job without its progress: it stays while its state does, so that its button can be clicked and keeps the focus. */
 function jobRow(job) {
   const button = (text, path) => h("button", { onclick: () => act(path, job.name) }, text);
-  const isLive = job.state === "running" || job.state === "waiting", isLeft = job.kind === "run" && ["stopped", "not finished"].includes(job.state);
+  const isLive = job.state === "running" || job.state === "waiting", isLeft = job.kind !== "sweep" && ["stopped", "not finished"].includes(job.state);
   return h("div", { class: "job", "data-state": `${job.state} ${job.name}` }, h("span", {}, job.name),
     job.state === "running" ? h("progress", { "aria-label": `Progress of ${job.name}` }) : null,
     h("span", { class: job.state === "failed" ? "error" : "quiet" }),
-    isLeft ? button("Go on", "/api/resume") : null, isLive ? button("Stop", "/api/stop") : null);
+    isLeft ? button(job.kind === "fit" ? "Begin again" : "Go on", "/api/resume") : null, isLive ? button("Stop", "/api/stop") : null);
 }
 
 /** A job's row with how far it is. */
 function told(row, job) {
-  const bar = row.querySelector("progress"), count = job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins";
-  if (bar) Object.assign(bar, { max: job.of || 1, value: job.done });
+  const bar = row.querySelector("progress"), of = job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins";
+  const count = job.kind === "fit" && job.done ? `${job.done} runs, ${job.place}` : of;
+  if (bar && job.kind !== "fit") Object.assign(bar, { max: job.of || 1, value: job.done }); // nobody knows how many runs a fit takes
   row.children[bar ? 2 : 1].textContent = job.state === "running" ? count : job.state === "failed" ? job.error : job.state;
   return row;
 }
@@ -216,6 +218,10 @@ async function watch() {
     const before = JSON.stringify(page.jobs);
     await refresh();
     for (const one of page.shown) if (!one.complete) await more(one);
+    const begun = page.jobs.find((job) => job.kind === "fit" && isActiveJob(job.name));
+    if (begun && !fit.name) await showFit(begun.name); // perhaps from another tab
+    await followFit();
+    drawFit();
     if (before !== JSON.stringify(page.jobs)) await ended(JSON.parse(before));
   } catch { tell("The server has ended; its runs are in the folder."); }
   setTimeout(watch, busy || page.jobs.some((job) => job.state === "running") ? 250 : 2000);
@@ -314,6 +320,8 @@ function drawCurve() {
   if (page.live) curves.push(curve("this case", page.live.columns, 0));
   curves.push(...page.shown.map((one) => curve(shortName(one), one.columns, one.place + 1)));
   if (page.measured) curves.push(measuredCurve(x, y));
+  drawFit();
+  if (!fit.told) drawFitPlot();
   $("notes").replaceChildren(...(page.live?.notes ?? []).map((text) => h("li", {}, `this case: ${text}`)), ...notesOf(page.shown));
   return drawCurves($("curve"), curves, x, y);
 }

@@ -53,25 +53,37 @@ async function showSweep(name) {
 
 // --- Measured curves ------------------------------------------------------------------------------------------------
 function measuredCurve() {
-  const { columns, x, y, xFactor, yFactor, name } = page.measured;
-  return { name, measured: true, x: columns[x].map((one) => one * xFactor), y: columns[y].map((one) => one * yFactor) };
+  const { columns, x, y, xFactor, yFactor, reverse, name } = page.measured;
+  const values = (column, factor, turned) => columns[column].map((one) => one * (turned ? -factor : factor));
+  return { name, measured: true, x: values(x, xFactor, reverse.x), y: values(y, yFactor, reverse.y) };
 }
 
-async function readMeasured(file) {
+/** Lays a text with columns over the curves; `file`: where it lies in the folder, if it does. */
+function readMeasured(name, text, file = "") {
   try {
-    const found = measuredOf(await file.text());
-    page.measured = { ...found, name: file.name, x: 0, y: 1, xFactor: 1, yFactor: 1 };
-  } catch (error) { tell(`${file.name}: ${error.message}`); return; }
-  const axis = (which, label) => {
-    const column = h("select", { "aria-label": `Column of the file for ${label}`, onchange: () => { page.measured[which] = Number(column.value); drawCurve(); } }, page.measured.titles.map((title, i) => h("option", { value: i, selected: i === page.measured[which] }, title)));
-    const factor = h("select", { "aria-label": `Unit of ${label} in the file`, onchange: () => { page.measured[`${which}Factor`] = Number(factor.value); drawCurve(); } },
-      [[1, "SI"], [1e-3, "milli (mm, mN)"], [1e-6, "micro (µm)"], [1e-9, "nano (nm)"], [1e3, "kilo (kN)"], [1e6, "mega (MPa)"], [1e9, "giga (GPa)"]].map(([size, text]) => h("option", { value: size }, text)));
-    return h("span", {}, `${label} `, column, " in ", factor, " ");
-  };
-  $("measured-controls").replaceChildren("Measured: ", axis("x", "across"), axis("y", "up"));
-  $("measured-controls").hidden = false;
+    const found = measuredOf(text);
+    page.measured = { ...found, name, text, file, x: 0, y: 1, xFactor: factorOf(found.titles[0]), yFactor: factorOf(found.titles[1]), reverse: { x: false, y: false } };
+  } catch (error) { tell(`${name}: ${error.message}`); $("fit-note").textContent = `${name}: ${error.message}`; return; }
+  drawMeasuredControls();
   drawShown();
   drawCurve();
+}
+
+/** What the columns of the measured curve are, beside the curves and among what a fit asks for: two places, one choice. */
+function drawMeasuredControls() {
+  const select = (of, label, entries, set) => h("select", { "aria-label": label, "data-measured": of, onchange: (event) => { set(Number(event.target.value)); tellMeasured(); drawCurve(); } }, entries.map(([value, text]) => h("option", { value }, text)));
+  const axis = (which, label) => h("span", {},
+    select(which, `Column of the file for ${label}`, page.measured.titles.map((title, i) => [i, title]), (i) => Object.assign(page.measured, { [which]: i, [`${which}Factor`]: factorOf(page.measured.titles[i]) })),
+    " in ", select(`${which}Factor`, `Unit of ${label} in the file`, FACTORS, (size) => { page.measured[`${which}Factor`] = size; }), " ");
+  $("measured-controls").replaceChildren("Measured: across ", axis("x", "across"), "up ", axis("y", "up"));
+  $("measured-controls").hidden = false;
+  for (const [which, label] of [["x", "across"], ["y", "up"]]) $(`fit-column-${which}`).replaceChildren("is ", axis(which, label));
+  tellMeasured();
+}
+
+function tellMeasured() {
+  for (const one of document.querySelectorAll("[data-measured]")) one.value = page.measured[one.dataset.measured];
+  for (const which of ["x", "y"]) $(`fit-reverse-${which}`).checked = page.measured.reverse[which];
 }
 
 // --- Dialogues ------------------------------------------------------------------------------------------------------
@@ -141,6 +153,7 @@ function chooseTab(tab) {
   if (name === "numbers") drawNumbers();
   if (name === "text") drawTexts();
   if (name === "figures") drawFigures();
+  if (name === "fit") { drawFit(); drawFitPlot(); }
 }
 
 function connect() {
@@ -172,12 +185,13 @@ function connect() {
   $("follow").onchange = () => follow();
   $("add-run").onchange = () => { const name = $("add-run").value; $("add-run").value = ""; if (name) show(name); };
   $("add-measured").onclick = () => $("measured-file").click();
-  $("measured-file").onchange = () => { const file = $("measured-file").files[0]; $("measured-file").value = ""; if (file) readMeasured(file); };
+  $("measured-file").onchange = () => { const file = $("measured-file").files[0]; $("measured-file").value = ""; if (file) file.text().then((text) => readMeasured(file.name, text)); };
   for (const id of ["x", "y"]) $(id).onchange = () => drawCurve();
   for (const id of ["kind", "field", "state"]) $(id).onchange = () => { if (id === "kind") $("field").replaceChildren(); drawPictures(); };
   $("figures-of").onchange = drawFigures;
   $("sweep-key").onchange = sweepRange;
   $("sweep-run").onclick = sweep;
+  connectFit();
 }
 
 async function begin() {

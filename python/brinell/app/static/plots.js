@@ -27,12 +27,12 @@ const largestOf = (curves, axis) => Math.max(0, ...curves.flatMap((curve) => cur
 /** Name of a column for an axis: its text up to the first comma or bracket. */
 const short = (column) => column.text.split(/[,;(:]/)[0].trim().replace(/^./, (letter) => letter.toUpperCase());
 
-/** Draws curves; each has name, x, y, and may be `before` (what a change has replaced) or `measured`. */
+/** Draws curves; each has name, x, y, and may be `before` (what a change has replaced), `measured` or a `line` without markers. */
 function drawCurves(element, curves, across, up) {
   const xs = scaleOf(across.unit, largestOf(curves, "x")), ys = scaleOf(up.unit, largestOf(curves, "y"));
   const data = curves.map((curve) => ({
     x: curve.x.map((one) => one / xs.size), y: curve.y.map((one) => one / ys.size), name: curve.name, type: "scatter",
-    mode: curve.measured ? "markers" : curve.x.length < 40 && !curve.before ? "lines+markers" : "lines",
+    mode: curve.measured ? "markers" : curve.x.length < 40 && !curve.before && !curve.line ? "lines+markers" : "lines",
     line: { color: curve.before ? BEFORE : curve.colour, dash: curve.before ? "solid" : curve.dash, width: curve.before ? 1.5 : 2 },
     marker: curve.measured ? { color: "#000", symbol: "circle-open", size: 6 } : { color: curve.colour, size: 4.5 },
   }));
@@ -90,6 +90,16 @@ const RESIZED = new ResizeObserver((entries) => { for (const { target } of entri
 function ratio(picture) {
   const { x, y } = picture.parts[0];
   return Math.min(1.2, Math.max(0.3, (y.at(-1) - y[0]) / (x.at(-1) - x[0] || 1)));
+}
+
+/** Sizes of units with their names in menus and their letters. */
+const FACTORS = [[1, "SI", ""], [1e-3, "milli (mm, mN)", "m"], [1e-6, "micro (µm)", "u"], [1e-9, "nano (nm)", "n"], [1e3, "kilo (kN)", "k"], [1e6, "mega (MPa)", "M"], [1e9, "giga (GPa)", "G"]];
+
+/** Size of the unit that a title names, as in "depth [um]" or "load in mN"; 1 if it names none. */
+function factorOf(title) {
+  const unit = (/[[(]\s*([^\])]+?)\s*[\])]|\bin\s+(\S+)$/.exec(title)?.slice(1).find(Boolean) ?? "").replace(/^[µμ]/, "u");
+  const isPrefixed = ["m", "N", "Pa", "s"].some((base) => unit.length === base.length + 1 && unit.endsWith(base));
+  return (isPrefixed && FACTORS.find(([, , letter]) => letter === unit[0])?.[0]) || 1;
 }
 
 /** A measured curve of a text file: columns of numbers, with the names of a line of titles before them. */
