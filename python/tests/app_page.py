@@ -32,6 +32,9 @@ class Page:
 
     def open(self) -> None:
         """Opens the address that the command has printed, and waits for the first curve."""
+        self.driver.execute_script(
+            "if (typeof page === 'object') page.changed = false"
+        )  # it is left without a question
         self.driver.get(self.server.address)
         self.wait("document.body.dataset.ready")
         self.wait("document.body.dataset.took")

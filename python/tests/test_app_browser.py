@@ -59,6 +59,8 @@ def test_a_file_leads_to_the_page(driver: Any, server: Server) -> None:
 
 
 def test_an_error_stands_at_its_field(page: Page) -> None:
+    radius = page.values()["upper.shape.radius"]
+    assert radius == "1 mm"
     page.type("lower.material.poisson_ratio", "0.7")
     page.wait("page.checked.errors.length === 1")
     box = page.one('[data-key="lower.material.poisson_ratio"]')
@@ -71,11 +73,18 @@ def test_an_error_stands_at_its_field(page: Page) -> None:
     assert not page.one("#run").is_enabled()
     page.type("upper.shape.radius", "")
     page.wait("page.checked.errors.length === 2")
-    assert len(page.curves()["this case"][0]) > 10  # the curve stays
+    assert len(page.curves()["this case before its problems"][0]) > 10  # the curve stays
     page.picture("problems")
     page.click("#problems li:last-child button")
     assert page.js("document.activeElement.id") == "f-upper.shape.radius"
-    page.type("upper.shape.radius", "1")
+    for wrong in ("5,5", "abc", "3 furlong"):
+        page.type("upper.shape.radius", wrong)
+        page.wait(f"page.values['upper.shape.radius'] === '{wrong}' && page.checked.text.includes('{wrong}')")
+        page.settled()
+        assert page.one('[id="f-upper.shape.radius"]').get_attribute("value") == wrong
+        page.type("upper.shape.radius", "1")  # in the unit that held before
+        page.wait(f"page.values['upper.shape.radius'] === {json.dumps(radius)}")
+    page.settled()
     page.type("lower.material.poisson_ratio", "0.3")
     page.wait("page.checked.errors.length === 0")
     assert page.one("#run").is_enabled()
@@ -190,8 +199,13 @@ def test_a_slider_runs_the_case_of_the_paper_again(page: Page) -> None:
     page.choose("#open", "paper.toml")
     page.wait("page.name === 'paper.toml' && page.live?.done && page.live.scenario === 'tugging'")
     page.settled()
+    for typed in ("6", "9"):  # a pure number: over its value at first yield
+        page.type("tugging.interference", typed)
+        page.wait(f"page.values['tugging.interference'] === {typed} && !page.checked.errors.length")
+        page.settled()
     before = page.curves()["this case"][1]
     page.click('[data-key="tugging.interference"] [aria-pressed]')
+    assert page.one('[id="s-tugging.interference"]').get_attribute("aria-valuetext").split() == ["9"]
     took = []
     for key in (RIGHT, LEFT, RIGHT, LEFT, RIGHT, RIGHT):
         page.js("document.body.dataset.took = ''")
@@ -232,6 +246,17 @@ def test_all_has_names_and_works_by_the_keyboard(page: Page) -> None:
     active = page.driver.switch_to
     active.active_element.send_keys(TAB)
     assert page.js("document.activeElement.textContent") == "To the form"
+    active.active_element.send_keys(TAB)
+    assert page.js("document.activeElement.textContent") == "To the results"
+    active.active_element.send_keys(ENTER)
+    assert page.js("document.activeElement.id") == "right"
+    within = "document.querySelector('[data-key=\"{}.material.young_modulus\"]').parentElement.closest('[role=group]')"
+    for body in ("lower", "upper"):
+        group = within.format(body)
+        if page.js(f"{group} !== null"):
+            assert page.js(f"{group}.parentElement.closest('[role=group]').getAttribute('aria-label')") == (
+                f"{body.capitalize()} body"
+            )
     page.js("document.getElementById('tab-curves').focus()")
     active.active_element.send_keys(RIGHT)
     assert page.js("document.activeElement.id") == "tab-fields"
@@ -239,6 +264,46 @@ def test_all_has_names_and_works_by_the_keyboard(page: Page) -> None:
     page.js("document.getElementById('run').focus()")
     active.active_element.send_keys(ENTER)
     page.finished(1)
+
+
+LEAVING = """(() => {
+    const event = new Event("beforeunload", { cancelable: true });
+    dispatchEvent(event);
+    return event.defaultPrevented;
+})()"""
+
+
+def test_folds_help_and_texts_of_the_form(page: Page) -> None:
+    summaries = page.js("[...document.querySelectorAll('#form summary')].map((one) => one.textContent)")
+    assert not {"Settings", "1 more", "1 setting"} & set(summaries)
+    nested = "[...document.querySelectorAll('#form details.more details.more')]"
+    page.unfold()
+    assert page.js(f"{nested}.every((one) => one.parentElement.closest('details.more').querySelector('h3'))")
+    fields = '[data-key="output.fields"]'
+    assert "None is chosen; this then holds: all" in page.one(fields).text
+    page.click('[data-key="output.snapshots"] [aria-expanded]')
+    assert 'Allowed: "none", "aligned", "all", "every N"' in page.one('[data-key="output.snapshots"]').text
+    places = page.js("[...document.querySelectorAll('#form input')].map((one) => one.placeholder)")
+    assert not [one for one in places if "333333" in one or ";" in one or "in tugging" in one]
+
+    assert page.js(LEAVING) is False
+    page.type("title", "kept?")
+    page.wait("page.values.title === 'kept?'")
+    assert page.js(LEAVING) is True
+
+    page.tab("text")
+    page.wait("document.getElementById('report').textContent.startsWith('# Resolved case of case.toml')")
+    page.click("#h-toml .copy")
+    page.wait("['Copied', 'Selected'].includes(document.querySelector('#h-toml .copy').textContent)")
+
+    page.driver.execute_script(
+        "drawCurves(document.getElementById('fit-plot'), [], {name: 'x', unit: 'm', text: 'x'}, {name: 'a', unit: 'm',"
+        " text: 'Largest equivalent plastic strain under the middle of the contact'})"
+    )
+    plot = "document.getElementById('fit-plot').layout"
+    assert page.js(f"{plot}.annotations[0].text") == "Nothing to draw so far"
+    assert "[" not in page.js(f"{plot}.xaxis.title.text")
+    assert "<br>" in page.js(f"{plot}.yaxis.title.text")
 
 
 def test_narrow_window_shows_all(page: Page) -> None:
@@ -298,8 +363,17 @@ def test_a_row_of_a_run_keeps_its_button(page: Page) -> None:
     done = page.js("document.querySelector('#jobs progress').value")
     page.wait(f"document.querySelector('#jobs progress').value > {done}")
     assert page.js("document.activeElement.textContent") == "Stop"  # the keyboard is still there
+    page.click("#run")  # the very same case
+    page.wait("document.getElementById('dialog').open")
+    assert "computes this very case" in page.one("#dialog-title").text
+    page.click("#dialog-cancel")
+    page.js("document.querySelector('#jobs button').focus()")
     page.driver.switch_to.active_element.send_keys(ENTER)
+    assert page.one("#jobs .quiet").text == "stops after this step …"
     page.wait("page.jobs[0].state === 'stopped'")
+    page.wait("/stopped after [0-9]+ of [0-9]+ steps/.test(document.getElementById('jobs').textContent)")
+    page.click("#jobs .dismiss")
+    page.wait("!document.getElementById('jobs').textContent.includes('stopped after')")
 
 
 def test_texts_of_a_case_stay_texts(page: Page) -> None:
@@ -323,4 +397,6 @@ def test_a_server_that_has_ended_is_noticed(driver: Any, tmp_path: Path) -> None
     page = Page(driver, server)
     page.open()
     assert server.close() == 0
-    page.wait("document.getElementById('curve-note').textContent.startsWith('The server has ended')")
+    page.wait("document.getElementById('server-note').textContent.startsWith('The server has ended')")
+    assert page.one("#server-note").is_displayed()
+    assert not page.one("#run").is_enabled()

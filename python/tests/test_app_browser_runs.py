@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import brinell
-from app_page import CONTROL_A, Page
+from app_page import CONTROL_A, ENTER, Page
 from app_server import SMALL
 from brinell.app.case_text import values_of
 from brinell.plot import style
@@ -170,11 +170,12 @@ def test_a_run_that_another_server_left_goes_on(page: Page) -> None:
     with pytest.raises(KeyboardInterrupt):
         brinell.Case(SMALL, overrides=["output.checkpoint_interval=0"]).run(folder, progress=stop)
     page.wait("[...document.getElementById('add-run').options].some((one) => one.value === 'results/left')")
+    page.wait("document.getElementById('jobs').textContent.includes('results/left')")  # before it is shown
     page.choose("#add-run", "results/left")
-    page.wait("document.getElementById('jobs').textContent.includes('results/left')")
     assert "not finished" in page.one("#jobs").text
     page.click("#jobs .job:last-child button")
     page.finished(1)
+    page.wait("/finished: [0-9]+ steps in [0-9.]+ s/.test(document.getElementById('jobs').textContent)")
     assert open_run(folder).complete
 
 
@@ -183,24 +184,41 @@ def test_a_measured_curve_lies_over_the_computed_one(page: Page, tmp_path: Path)
     file.write_text("depth in um;load in N\n1,5;9\n4;33\n9;97\n")
     page.one("#measured-file").send_keys(str(file))
     page.wait("page.measured")
-    page.choose('[aria-label="Unit of across in the file"]', "micro (µm)")
+    unit = '[aria-label="Unit of across in the file"]'
+    units = page.js(f"[...document.querySelector('{unit}').options].map((one) => one.text)")
+    assert units[:4] == ["m", "mm", "µm", "nm"]
+    assert page.js(f"document.querySelector('{unit}').selectedOptions[0].text") == "µm"
+    page.choose(unit, "nm")
+    page.choose(unit, "µm")
     x, y, drawn = page.curves()["measured.csv"]
     assert list(x) == pytest.approx([1.5, 4, 9])
     assert list(y) == [9, 33, 97]
     assert drawn["mode"] == "markers"
     assert "depth in um" in page.one("#measured-controls").text
     page.picture("measured")
+    note = "document.getElementById('measured-note').textContent"
     broken = tmp_path / "broken.csv"
     broken.write_text("no numbers\n")
     page.one("#measured-file").send_keys(str(broken))
-    page.wait("document.getElementById('curve-note').textContent.includes('no two columns')")
+    page.wait(f"{note}.includes('no two columns')")
+    odd = tmp_path / "odd.csv"
+    odd.write_text("approach [mm],F_n [kg]\n0.001,10\n0.002,oops\n0.003,40\n")
+    page.one("#measured-file").send_keys(str(odd))
+    page.wait(f"{note}.includes('kg is no unit of F_n, which is in N')")
+    assert 'line 3, "0.002,oops"' in page.js(note)
+    x, y, _ = page.curves()["odd.csv"]
+    assert (list(x), list(y)) == (pytest.approx([1, 3]), [10, 40])
+    page.choose('[aria-label="Unit of up in the file"]', "kN")
+    assert "kg" not in page.js(note)
+    page.one("#measured-file").send_keys(str(file))
+    page.wait("page.measured.name === 'measured.csv'")
+    assert page.js(note) == ""
 
 
 def test_a_case_is_saved_opened_and_replaced(page: Page, tmp_path: Path) -> None:
     def save(name: str) -> None:
         page.click("#save")
-        page.one("#dialog-body input").send_keys(CONTROL_A, name)
-        page.click("#dialog-ok")
+        page.one("#dialog-body input").send_keys(CONTROL_A, name, ENTER)
 
     page.type("title", "kept <b>as</b> it is")
     page.wait("page.values.title?.startsWith('kept')")
@@ -222,11 +240,12 @@ def test_a_case_is_saved_opened_and_replaced(page: Page, tmp_path: Path) -> None
     page.wait("page.values.title === 'another'")
     save("../outside.toml")
     page.wait("document.getElementById('dialog-error').textContent.includes('outside')")
-    page.click("#dialog [value=cancel]")
+    page.click("#dialog-cancel")
     other = tmp_path / "elsewhere.toml"
     other.write_text(PAPER.read_text())
     page.one("#file").send_keys(str(other))
     page.wait("page.values.scenario === 'tugging' && page.values['tugging.interference'] === 9")
+    assert page.one("#case-name").text == "from elsewhere.toml"
     page.settled()
     page.driver.get_log("browser")  # the two refusals
 
@@ -265,6 +284,12 @@ def test_a_sweep_has_its_plot(page: Page) -> None:
     page.tab("sweep")
     page.choose("#sweep-key", "lower.material.hardening.yield_stress")
     assert page.one("#sweep-unit").text == "MPa"
+    page.one("#sweep-from").send_keys(CONTROL_A, "a lot")
+    page.click("#sweep-run")
+    assert page.one("#sweep-note").get_attribute("class") == "complaint"
+    assert page.js("document.activeElement.id") == "sweep-from"
+    assert page.one("#sweep-from").get_attribute("aria-invalid") == "true"
+    page.one("#sweep-from").send_keys(CONTROL_A, "450")
     page.one("#sweep-count").send_keys(CONTROL_A, "3")
     page.click("#sweep-run")
     page.wait("document.querySelector('#sweep-figure img')?.naturalWidth > 300", 120)
@@ -278,11 +303,68 @@ def test_figures_of_a_result(page: Page) -> None:
     if not folder.exists():
         brinell.Case.from_file(ROOT / "cases" / "rolling-fatigue" / "case.toml", ["grid.resolution=3"]).run(folder)
     page.wait("[...document.getElementById('figures-of').options].some((one) => one.value === 'results/fatigue')")
+    page.choose("#add-run", "results/fatigue")
+    page.finished(1)
     page.tab("figures")
-    page.choose("#figures-of", "results/fatigue")
+    assert page.js("document.getElementById('figures-of').value") == "results/fatigue"  # as it is shown
     page.wait(
         "[...document.querySelectorAll('#gallery img')].some((one) => one.alt.startsWith('Fatigue of the lower body'))",
         120,
     )
     page.wait("[...document.querySelectorAll('#gallery img')].every((one) => one.naturalWidth > 100)")
     assert page.js("document.documentElement.scrollWidth <= window.innerWidth")
+
+
+@pytest.mark.filterwarnings("ignore::brinell.ResolutionWarning")
+def test_results_of_several_kinds_and_steps_are_shown(page: Page) -> None:
+    results = page.server.folder / "results"
+    if not (results / "kind-a").exists():
+        brinell.Case(SMALL, overrides=["output.snapshots=[2]"]).run(results / "kind-a")
+        brinell.Case(SMALL, overrides=["output.snapshots=[3]", "indentation.load=[200, 0]"]).run(results / "kind-b")
+        brinell.Case.from_file(PAPER).run(results / "kind-c")
+    for count, name in enumerate(("kind-a", "kind-b"), 1):
+        page.wait(f"[...document.getElementById('add-run').options].some((one) => one.value === 'results/{name}')")
+        page.choose("#add-run", f"results/{name}")
+        page.finished(count)
+        states = page.js("[...document.getElementById('state').options].map((one) => one.text)")
+        if count == 1:
+            assert any(text.startswith("step 2, approach ") and text.endswith(" N") for text in states)
+    assert {"step 2 of kind-a", "step 3 of kind-b"} <= set(states)
+
+    page.tab("fields")
+    page.choose("#state", "step 3 of kind-b")
+    captions = "[...document.querySelectorAll('#pictures figcaption')].map((one) => one.textContent)"
+    page.wait(f"{captions}.some((text) => text.endsWith('step 3')) && picturing === pictured")
+    assert "results/kind-a: step 3 is not stored" in " ".join(page.js(captions))
+    page.choose("#state", "the last state")
+    page.choose("#kind", "surface in 3-D")
+    page.wait(f"{captions}.filter((text) => text.includes('Residual height')).length === 3 && picturing === pictured")
+    drawn = page.js(
+        "[...document.querySelectorAll('#pictures .plot')].map((one) => [one.data[0].cmax, one.data[0].cmin])"
+    )
+    assert len(drawn) == 3
+    assert drawn[0] == drawn[1] == drawn[2]  # of one scale
+    assert (
+        len(
+            set(
+                page.js(
+                    "[...document.querySelectorAll('#pictures .plot')].map((one) => one.layout.scene.zaxis.title.text)"
+                )
+            )
+        )
+        == 1
+    )
+
+    page.tab("curves")
+    page.choose("#add-run", "results/kind-c")
+    page.finished(3)
+    page.wait("document.getElementById('left-out').textContent === 'kind-c has no approach and is not drawn.'")
+    assert "kind-c" not in page.curves()
+    page.tab("numbers")
+    assert "tugging.interference – – 9" in page.one("#numbers").text.split("\n")
+    page.tab("curves")
+    page.driver.execute_script(
+        "drawCurves(document.getElementById('fit-plot'), [{name: 'a', x: [1, 2, 3], y: [1, null, 2]}],"
+        " {name: 'x', unit: 'm', text: 'x'}, {name: 'R', unit: 'ohm', text: 'R'})"
+    )
+    assert page.js("document.getElementById('fit-plot').data[0].y") == [1, None, 2]  # infinite: no point, and not 0

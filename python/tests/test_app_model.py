@@ -217,6 +217,13 @@ def test_forecast_and_warnings_are_those_of_the_command(templates: dict[str, dic
     assert "tugging.speed" in [one.key for one in result.warnings]
 
 
+def test_a_reason_stands_behind_what_it_explains(templates: dict[str, dict[str, Any]], tmp_path: Path) -> None:
+    values = {**templates["rolling"], "upper.shape.radius": 5, "rolling.creepage": 0.01}
+    error, reason = (one.text for one in checked(values, tmp_path).errors)
+    assert error.startswith("rolling.creepage = ")
+    assert reason.startswith("the reason may be: upper.shape.radius = 5 is in m")
+
+
 def test_no_text_of_a_case_leads_outside_its_folder(templates: dict[str, dict[str, Any]], tmp_path: Path) -> None:
     (tmp_path / "secret.csv").write_text("0 1\n")
     home = tmp_path / "home"

@@ -227,6 +227,29 @@ def test_a_killed_server_loses_no_run(tmp_path: Path) -> None:
             assert server.asked("GET", f"/api/outline?name={name}")["complete"]
 
 
+def test_a_run_of_a_killed_server_is_followed_and_stopped(tmp_path: Path) -> None:
+    with served(tmp_path, tmp_path / "settings") as server:
+        name = server.asked("POST", "/api/run", {"values": {**long_case(), "indentation.steps": 600}, "name": "left"})[
+            "name"
+        ]
+        server.wait_until(lambda: server.job(name)["done"] >= 2, "two steps are done")
+        os.kill(server.process.pid, signal.SIGKILL)
+        server.process.wait()
+    with served(tmp_path, tmp_path / "settings") as server:
+        job = server.wait_until(lambda: server.job(name), "the run is seen")
+        assert (job["state"], job["elsewhere"]) == ("running", True)
+        assert job["done"] >= 2
+        status, told = server.request("POST", "/api/resume", {"name": name})
+        assert (status, told["error"]) == (422, f"{name} is still being computed")
+        server.asked("POST", "/api/stop", {"name": name})
+        server.wait_until(lambda: server.job(name) is None, "its process has ended")
+        assert server.asked("POST", "/api/resume", {"name": name})["state"] == "waiting"
+        server.wait_until(lambda: server.job(name)["done"] > job["done"], "it goes on")
+        server.asked("POST", "/api/stop", {"name": name})
+        assert server.ended(name)["state"] == "stopped"
+        assert server.job(name)["seconds"] > 0
+
+
 def test_an_ended_server_stops_its_run_at_a_step(tmp_path: Path) -> None:
     with served(tmp_path, tmp_path / "settings") as server:
         name = server.asked("POST", "/api/run", {"values": long_case(), "name": "long"})["name"]

@@ -18,6 +18,7 @@ from brinell.errors import BrinellError, InputError
 __all__ = ["Checked", "Remark", "checked", "outside", "remark_of"]
 
 _FILE = "case.toml"
+_REASON = "the reason may be: "
 _LINE = re.compile(r":(\d+)")
 _KEY = re.compile(r"[A-Za-z_][\w-]*(?:\[\d+\])?(?:\.[A-Za-z_][\w-]*(?:\[\d+\])?)*")
 
@@ -74,6 +75,7 @@ def checked(values: Values, folder: Path) -> Checked:
     except (BrinellError, MemoryError) as error:
         texts = str(error).split("\n") if str(error) else ["not enough memory"]
         found = [remark_of(text, folder / _FILE, written, values) for text in texts]
+        found.sort(key=lambda one: one.text.startswith(_REASON))  # what it may be the reason of stands before it
         return Checked(written.text, found, [], "", "", 0.0, applies)
     said = [remark_of(one.text, folder / _FILE, written, values) for one in expected]
     return Checked(written.text, [], said, report, forecast.text, forecast.seconds, applies)

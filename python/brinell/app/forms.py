@@ -38,6 +38,9 @@ _UNITS: Mapping[str, tuple[str, ...]] = {
 }
 """Units to choose from by the unit of a bare number, the usual one first; of any other unit only itself."""
 
+_RANGES = {"snapshots": '"none", "aligned", "all", "every N" or numbers of steps as in 0, 12'}
+"""What values of some kinds may be, as the reference of the case file has it."""
+
 _INDEX = re.compile(r"\[\d+\]")
 
 
@@ -101,7 +104,7 @@ def _field(entry: _core.SchemaKey) -> Field:
         units=units_of(entry.unit, entry.has_unit),
         bare="deg" if entry.unit == "degrees" else entry.unit,
         choices=tuple(entry.choices),
-        range=entry.range,
+        range=_RANGES.get(entry.kind, entry.range),
         required=entry.required,
         default="" if entry.required else entry.default,
         help=entry.text,

@@ -8,14 +8,16 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Mapping
+import time
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Literal
 
 from brinell.app.folder import Folder
 from brinell.errors import InputError
 
-__all__ = ["Job", "Jobs"]
+__all__ = ["Job", "Jobs", "writers_of"]
 
 State = Literal["waiting", "running", "finished", "stopped", "failed"]
 
@@ -36,11 +38,34 @@ class Job:
     error: str = ""
     ending: State = "failed"
     """State once its process has ended."""
+    seconds: float = 0.0
+    """That it took."""
     process: asyncio.subprocess.Process | None = field(default=None, repr=False)
 
     def as_json(self) -> dict[str, Any]:
         """For the page."""
-        return {name: getattr(self, name) for name in ("name", "state", "done", "of", "place", "error")}
+        return {name: getattr(self, name) for name in ("name", "state", "done", "of", "place", "error", "seconds")}
+
+
+def writers_of(folders: Iterable[Path]) -> dict[Path, int]:
+    """Processes of brinell that write results into some folders, of whichever server or command.
+
+    A run holds its folder open, and locked. Trying the lock could be in the way of a run that just begins; what
+    processes hold open is looked at instead. Systems without /proc tell none.
+    """
+    wanted = {str(one.resolve()): one for one in folders}
+    found: dict[Path, int] = {}
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().split(b"\0")
+            if not any(word.rpartition(b"/")[2] == b"brinell" or word.startswith(b"brinell.") for word in words):
+                continue
+            held = {os.readlink(one.path) for one in os.scandir(process / "fd")}
+        except OSError:  # it has ended, or is not ours
+            continue
+        for path in held & set(wanted):
+            found[wanted[path]] = int(process.name)
+    return found
 
 
 class Jobs:
@@ -92,7 +117,7 @@ class Jobs:
                 stderr=asyncio.subprocess.DEVNULL,
                 start_new_session=True,  # Ctrl-C in the terminal of the server is for the server
             )
-            job.state = "running"
+            job.state, begun = "running", time.monotonic()
             assert job.process.stdin is not None
             assert job.process.stdout is not None
             job.process.stdin.write(json.dumps(job.task).encode())
@@ -100,6 +125,7 @@ class Jobs:
             async for line in job.process.stdout:
                 self._hear(job, line)
             code = await job.process.wait()
+            job.seconds = time.monotonic() - begun
             if job.ending == "failed":
                 job.error = job.error or f"the process has ended with {code}"
             job.state = job.ending
@@ -112,7 +138,7 @@ class Jobs:
         if "done" in message:
             job.done, job.of, job.place = message["done"], message["of"], message["place"]
         elif "error" in message:
-            job.error = message["error"]
+            job.error = message["error"].replace("; choose another folder with -o", "")
         elif "stopped" in message:
             job.ending = "stopped"
         elif "finished" in message:

@@ -7,6 +7,7 @@ import asyncio
 import contextlib
 import json
 import os
+import signal
 import time
 import uuid
 from collections.abc import AsyncIterator, Awaitable, Callable
@@ -29,13 +30,13 @@ from brinell.app.checking import values_that_apply
 from brinell.app.folder import PROGRESS, Entry, Folder, is_locked, json_of
 from brinell.app.guard import Guard, RefusedError
 from brinell.app.materials import Materials
-from brinell.app.runs import Job, Jobs
+from brinell.app.runs import Job, Jobs, writers_of
 from brinell.app.workers import Worker
 from brinell.errors import BrinellError, InputError
 
 __all__ = ["Server", "application"]
 
-_SCRIPTS = ("form", "plots", "app", "fit", "page")
+_SCRIPTS = ("form", "plots", "app", "jobs", "fit", "page")
 _STATIC = {f"{name}.js": "text/javascript" for name in _SCRIPTS} | {"app.css": "text/css"}
 _MOST_SWEPT = 200
 _TIMES_AS_LONG = 5
@@ -156,8 +157,22 @@ class Server:
 
     async def _files(self, _request: Request) -> Response:
         entries = await self._entries()
-        jobs = [self._told(job) for job in self.jobs.all()]
-        return JSONResponse({"entries": [asdict(one) for one in entries], "jobs": jobs})
+        busy = {job.name for job in self.jobs.all() if job.state in ("waiting", "running")}
+        left = [one.name for one in entries if one.kind == "run" and not one.complete and one.name not in busy]
+        elsewhere = await asyncio.to_thread(self._elsewhere, left) if left else {}
+        jobs = [self._told(job) for job in self.jobs.all() if job.name not in elsewhere]
+        told = [asdict(one) for one in entries]
+        return JSONResponse({"entries": told, "jobs": [*jobs, *elsewhere.values()]})
+
+    def _elsewhere(self, names: list[str]) -> dict[str, dict[str, Any]]:
+        """Of some unfinished runs those that another process computes, as one of a server that was killed."""
+        by_path = {self._folder.inside(name): name for name in names}
+        found = {}
+        for path in writers_of(by_path):
+            done = rows_of(path / "history.csv", 0).get("step", [])
+            job = Job(by_path[path], {"kind": "run"}, "running", done=len(done))
+            found[job.name] = {**job.as_json(), "kind": "run", "elsewhere": True}
+        return found
 
     async def _entries(self) -> list[Entry]:
         """What the folder holds; a large tree is looked through less often, by the time that this takes."""
@@ -271,6 +286,12 @@ class Server:
 
     async def _stop(self, request: Request) -> Response:
         body = await body_of(request, name=str)
+        job = self.jobs.get(body["name"])
+        if job is None or job.state not in ("waiting", "running"):
+            path = self._folder.inside(body["name"])
+            if (writer := (await asyncio.to_thread(writers_of, [path])).get(path)) is not None:
+                os.kill(writer, signal.SIGINT)
+                return JSONResponse({"name": body["name"], "state": "running"})
         return JSONResponse(self.jobs.stop(body["name"]).as_json())
 
     async def _resume(self, request: Request) -> Response:
@@ -280,6 +301,8 @@ class Server:
             if is_locked(fit):
                 raise InputError(f"{body['name']} is still being computed")
             return JSONResponse(self._begin_fit(body["name"]))
+        if await asyncio.to_thread(writers_of, [fit.parent]):
+            raise InputError(f"{body['name']} is still being computed")
         outline = await self._painter.call(tasks.outline, str(self._folder.root), body["name"])
         if outline is None or not outline["values"]:
             raise InputError(f"nothing of {body['name']} is kept that could be resumed")

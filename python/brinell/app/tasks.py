@@ -132,6 +132,7 @@ def _first_of(state: Any, shown: Mapping[str, str], picture: Callable[..., dict[
 def outline(_stop: Stop, root: str, name: str) -> Iterator[dict[str, Any] | None]:
     """A result: its case, stored steps, key numbers and warnings; None of a run that has hardly begun."""
     from brinell.app.case_text import values_of
+    from brinell.app.forms import applying
     from brinell.report.numbers import accuracies_of
     from brinell.results import RunError, open_run
     from brinell.scenarios import SCENARIOS
@@ -155,11 +156,31 @@ def outline(_stop: Stop, root: str, name: str) -> Iterator[dict[str, Any] | None
         "title": run.title if run.complete else str(values.get("title", "")),
         "complete": run.complete,
         "values": values,
+        "pure": [key for key, one in applying(values).items() if one["pure"]],
         "steps": [int(step) for step in run.steps] if run.complete else _stored_steps(path),
-        "numbers": [{"name": n.name, "value": float(n.value), "unit": n.unit} for n in numbers],
+        "numbers": [{"name": n.name, "value": float(n.value), "unit": n.unit} for n in numbers] + _more_numbers(run),
         "notes": _notes(run.summary or {}),
         "intervals": [asdict(one) for one in accuracies_of(run)] if run.complete else [],
     }
+
+
+def _more_numbers(run: Any) -> list[dict[str, Any]]:
+    """Key numbers of effects that are no scenario's own: fatigue, and the resistance of the contact."""
+    found = []
+    for side, judged in (run.summary or {}).get("fatigue", {}).items():
+        named = (
+            ("utilisation", "value", "Utilisation", "1"),
+            ("orthogonal_shear", "value_Pa", "Orthogonal shear", "Pa"),
+        )
+        for key, member, name, unit in named:
+            if judged.get(key):
+                text = f"{name} by fatigue, {side} body"
+                found.append({"name": text, "value": float(judged[key][member]), "unit": unit})
+    resistance = run.history.get("contact_resistance", [])
+    known = [float(one) for one in resistance if one > 0 and math.isfinite(one)]
+    if known and run.complete:
+        found.append({"name": "Smallest contact resistance", "value": min(known), "unit": "ohm"})
+    return found
 
 
 def image(_stop: Stop, root: str, name: str, state: str, shown: Mapping[str, str]) -> Iterator[dict[str, Any] | None]:
@@ -186,7 +207,7 @@ def _image(path: Path, state: str, shown: Mapping[str, str]) -> dict[str, Any]:
     if which == "final" and not run.complete:
         which = run.steps[-1]
     wants_tensor = shown.get("name", "")[-3:-2] == "_"
-    return _first_of(state_of_snapshot(run.snapshot(which, tensors=wants_tensor)), shown, picture)
+    return _first_of(state_of_snapshot(run.snapshot(which, tensors=wants_tensor), run), shown, picture)
 
 
 def _stored_steps(path: Path) -> list[int]:

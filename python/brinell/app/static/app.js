@@ -11,9 +11,10 @@ const $ = (id) => document.getElementById(id);
 const page = { values: {}, parked: {}, changed: false, checked: { errors: [], warnings: [], applies: {}, text: "", report: "", forecast: "", seconds: 0 }, name: "", shown: [], live: null, before: null, outlines: new Map(), measured: null, entries: [], jobs: [], pictures: new Map() };
 let start = null, form = null;
 
-/** What the server answers; an error has its text. */
+/** What the server answers; an error has its text, and is `gone` if nobody answers. */
 async function ask(method, path, body, signal) {
-  const answer = await fetch(path, { method, signal, headers: { "X-Brinell-Token": TOKEN, ...(body ? { "Content-Type": "application/json" } : {}) }, body: body ? JSON.stringify(body) : undefined });
+  const answer = await fetch(path, { method, signal, headers: { "X-Brinell-Token": TOKEN, ...(body ? { "Content-Type": "application/json" } : {}) }, body: body ? JSON.stringify(body) : undefined })
+    .catch((error) => { throw error.name === "AbortError" ? error : Object.assign(new Error("The server does not answer."), { gone: true }); });
   if (path === "/api/preview" && answer.ok) return answer;
   const content = await answer.json().catch(() => ({ error: `the server answers ${answer.status}` }));
   if (!answer.ok) throw new Error(content.error ?? `the server answers ${answer.status}`);
@@ -23,10 +24,12 @@ async function ask(method, path, body, signal) {
 const tell = (text) => { $("curve-note").textContent = text; };
 
 // --- The case -------------------------------------------------------------------------------------------------------
-async function open(values, name) {
+/** Opens a case; `from`: the file that it is from, where this is none of the folder. */
+async function open(values, name, from = "") {
   Object.assign(page, { values, parked: {}, name, live: null, before: null, changed: false });
-  $("case-name").textContent = name || "new case";
+  $("case-name").textContent = name || (from ? `from ${from}` : "new case");
   form.sliders.clear();
+  form.units.clear();
   await check(false);
   chooseAxes();
   follow();
@@ -73,7 +76,7 @@ async function check(parks) {
 function drawCase() {
   const { errors, warnings, forecast } = page.checked;
   form.draw(page.values, page.checked, start.materials);
-  $("run").disabled = errors.length > 0;
+  $("run").disabled = errors.length > 0 || !$("server-note").hidden;
   $("forecast").textContent = errors.length ? `${errors.length} ${errors.length === 1 ? "problem" : "problems"}` : forecast;
   const item = (one) => h("li", {}, one.key ? h("button", { type: "button", class: "link", onclick: () => form.show(one.key) }, one.text) : one.text);
   const unplaced = warnings.filter((one) => !document.querySelector(`[data-key="${CSS.escape(one.key)}"]`));
@@ -90,7 +93,7 @@ function drawTexts() {
   const { text, report } = page.checked;
   const file = page.name || "case.toml", folder = `results/${baseName()}`;
   $("toml").textContent = text;
-  $("report").textContent = report || "There are problems.";
+  $("report").textContent = report.replaceAll(`${start.folder}/case.toml`, file) || "There are problems.";
   const first = page.name && !page.changed ? "" : "# after the case is saved\n";
   $("command").textContent = `${first}brinell run ${quoted(file)} -o ${quoted(folder)}`;
   $("python").textContent = `${first}import brinell\n\ncase = brinell.Case.from_file(${JSON.stringify(file)})\nrun = case.run(${JSON.stringify(folder)})\nprint(run.history[${JSON.stringify($("y").value || "step")}])`;
@@ -108,6 +111,7 @@ function follow(waits = false) {
   if (!$("follow").checked || errors.length || !isShort) {
     preview.abort?.abort();
     if (!errors.length && page.live) { page.live = null; drawShown(); drawCurve(); }
+    if (page.live) { drawShown(); drawCurve(); }
     tell(!$("follow").checked ? "" : errors.length ? (page.live ? "The curve is that of the case before its problems." : "") : "This case takes too long to follow its changes; run it.");
     return;
   }
@@ -154,86 +158,7 @@ function take(thing, live, begun, scenario) {
   });
 }
 
-// --- Runs -----------------------------------------------------------------------------------------------------------
-async function run() {
-  try {
-    const job = await ask("POST", "/api/run", { values: page.values, name: baseName() });
-    preview.abort?.abort();
-    Object.assign(page, { live: null, before: null });
-    await refresh();
-    show(job.name);
-  } catch (error) { tell(error.message); }
-}
-
-async function refresh() {
-  const { entries, jobs } = await ask("GET", "/api/files");
-  Object.assign(page, { entries, jobs });
-  const names = (kind) => entries.filter((one) => one.kind === kind);
-  offer($("open"), [["", "a case of the folder"], ...names("case").map((one) => [one.name, one.name])]);
-  const runs = names("run").filter((one) => !/\/runs\/\d+$/.test(one.name)).map((one) => one.name);
-  offer($("add-run"), [["", runs.length ? "…" : "none yet"], ...runs.map((name) => [name, name])]);
-  $("data-files").replaceChildren(...names("data").map((one) => h("option", { value: one.name })));
-  const results = [...runs, ...names("sweep").map((one) => one.name), ...names("fit").map((one) => one.name)];
-  offer($("figures-of"), results.map((name) => [name, name]));
-  drawJobs();
-}
-
-function drawJobs() {
-  const isActive = (job) => ["running", "waiting", "stopped", "failed"].includes(job.state);
-  const known = new Set(page.jobs.map((job) => job.name));
-  const left = page.shown.filter((one) => !one.complete && !known.has(one.name)).map((one) => ({ name: one.name, state: "not finished", kind: "run" }));
-  const all = [...page.jobs.filter(isActive), ...left], rows = new Map([...$("jobs").children].map((row) => [row.dataset.state, row]));
-  const drawn = all.map((job) => told(rows.get(`${job.state} ${job.name}`) ?? jobRow(job), job));
-  if (drawn.length !== $("jobs").children.length || drawn.some((row, i) => row !== $("jobs").children[i])) $("jobs").replaceChildren(...drawn);
-}
-
-/** A job without its progress: it stays while its state does, so that its button can be clicked and keeps the focus. */
-function jobRow(job) {
-  const button = (text, path) => h("button", { onclick: () => act(path, job.name) }, text);
-  const isLive = job.state === "running" || job.state === "waiting", isLeft = job.kind !== "sweep" && ["stopped", "not finished"].includes(job.state);
-  return h("div", { class: "job", "data-state": `${job.state} ${job.name}` }, h("span", {}, job.name),
-    job.state === "running" ? h("progress", { "aria-label": `Progress of ${job.name}` }) : null,
-    h("span", { class: job.state === "failed" ? "error" : "quiet" }),
-    isLeft ? button(job.kind === "fit" ? "Begin again" : "Go on", "/api/resume") : null, isLive ? button("Stop", "/api/stop") : null);
-}
-
-/** A job's row with how far it is. */
-function told(row, job) {
-  const bar = row.querySelector("progress"), of = job.of ? `${job.done} of ${job.of} ${job.kind === "sweep" ? "runs" : "steps"}` : "begins";
-  const count = job.kind === "fit" && job.done ? `${job.done} runs, ${job.place}` : of;
-  if (bar && job.kind !== "fit") Object.assign(bar, { max: job.of || 1, value: job.done }); // nobody knows how many runs a fit takes
-  row.children[bar ? 2 : 1].textContent = job.state === "running" ? count : job.state === "failed" ? job.error : job.state;
-  return row;
-}
-
-async function act(path, name) {
-  try { await ask("POST", path, { name }); } catch (error) { tell(error.message); }
-  await refresh();
-}
-
-/** Follows what runs, also runs of other tabs. */
-async function watch() {
-  const busy = page.jobs.some((job) => job.state === "running" || job.state === "waiting");
-  try {
-    const before = JSON.stringify(page.jobs);
-    await refresh();
-    for (const one of page.shown) if (!one.complete) await more(one);
-    const begun = page.jobs.find((job) => job.kind === "fit" && isActiveJob(job.name));
-    if (begun && !fit.name) await showFit(begun.name); // perhaps from another tab
-    await followFit();
-    drawFit();
-    if (before !== JSON.stringify(page.jobs)) await ended(JSON.parse(before));
-  } catch { tell("The server has ended; its runs are in the folder."); }
-  setTimeout(watch, busy || page.jobs.some((job) => job.state === "running") ? 250 : 2000);
-}
-
-async function ended(before) {
-  for (const job of page.jobs) {
-    const was = before.find((one) => one.name === job.name);
-    if (job.kind === "sweep" && job.state === "finished" && was?.state !== "finished") showSweep(job.name);
-  }
-}
-
+// --- What is shown ----------------------------------------------------------------------------------------------------
 /** Shows a run beside the others. */
 async function show(name) {
   if (page.shown.some((one) => one.name === name)) return;
@@ -242,6 +167,7 @@ async function show(name) {
   while (used.has(place)) place += 1;
   const one = { name, place, columns: {}, complete: false, outline: null };
   page.shown.push(one);
+  $("figures-of").dataset.latest = name;
   await more(one);
   drawShown();
 }
@@ -264,12 +190,14 @@ async function more(one) {
 function drawShown() {
   const item = (name, colour, remove) => h("li", {}, h("i", { style: `background:${colour}` }), name, h("button", { "aria-label": `Show ${name} no more`, onclick: remove }, "×"));
   const items = page.shown.map((one) => item(shortName(one), colourOf(one.place + 1), () => { page.shown = page.shown.filter((other) => other !== one); drawShown(); drawAll(); }));
-  if (page.live) items.unshift(h("li", {}, h("i", { style: `background:${COLOURS[0]}` }), "this case"));
-  if (page.measured) items.push(item(page.measured.name, "#000", () => { page.measured = null; $("measured-controls").hidden = true; drawShown(); drawAll(); }));
+  if (page.live) items.unshift(h("li", {}, h("i", { style: `background:${COLOURS[0]}` }), liveName()));
+  if (page.measured) items.push(item(page.measured.name, "#000", dropMeasured));
   $("shown").replaceChildren(...items);
   drawStates();
 }
 
+/** The small case that follows its changes; while it has problems what is known is that before them. */
+const liveName = () => (page.checked.errors.length ? "this case before its problems" : "this case");
 const shortName = (one) => one.name.replace(/^results\//, "");
 
 /** What is known of the quality of results, each with its name. */
@@ -315,10 +243,13 @@ function drawCurve() {
   const columns = columnsOf(scenarioShown());
   const [x, y] = [$("x").value, $("y").value].map((name) => columns.find((one) => one.name === name) ?? { name, unit: "", text: name });
   const curve = (name, from, place, extra = {}) => ({ name, x: from[x.name] ?? [], y: from[y.name] ?? [], colour: colourOf(place), dash: DASHES[place % DASHES.length], ...extra });
-  const curves = [];
+  const lacking = (one) => (one.columns.step?.length ? [x, y].filter(({ name }) => !one.columns[name]).map(({ name }) => name) : []);
+  const curves = [], left = page.shown.filter((one) => lacking(one).length), drawn = page.shown.filter((one) => !left.includes(one));
+  $("left-out").textContent = left.map((one) => `${shortName(one)} has no ${lacking(one).join(" and ")} and is not drawn.`).join(" ");
+  if (page.measured) settleMeasured({ x, y });
   if (page.before && page.live) curves.push(curve("before the change", page.before.columns, 0, { before: true }));
-  if (page.live) curves.push(curve("this case", page.live.columns, 0));
-  curves.push(...page.shown.map((one) => curve(shortName(one), one.columns, one.place + 1)));
+  if (page.live) curves.push(curve(liveName(), page.live.columns, 0));
+  curves.push(...drawn.map((one) => curve(shortName(one), one.columns, one.place + 1)));
   if (page.measured) curves.push(measuredCurve(x, y));
   drawFit();
   if (!fit.told) drawFitPlot();
@@ -327,9 +258,21 @@ function drawCurve() {
 }
 
 // --- Fields, numbers, figures ---------------------------------------------------------------------------------------
+/** The states of all runs that are shown; where one run is, with its place and load. */
 function drawStates() {
-  const steps = page.shown.find((one) => one.outline)?.outline.steps ?? [];
-  offer($("state"), [["aligned", "the loaded state"], ["final", "the last state"], ...steps.map((step) => [step, `step ${step}`])]);
+  const runs = page.shown.filter((one) => one.outline);
+  const steps = [...new Set(runs.flatMap((one) => one.outline.steps))].sort((a, b) => a - b);
+  offer($("state"), [["aligned", "the loaded state"], ["final", "the last state"], ...steps.map((step) => [step, stateText(step, runs)])]);
+}
+
+function stateText(step, runs) {
+  if (runs.length > 1) {
+    const having = runs.filter((one) => one.outline.steps.includes(step));
+    return `step ${step}${having.length < runs.length ? ` of ${having.map(shortName).join(", ")}` : ""}`;
+  }
+  const [{ columns, outline: { scenario } }] = runs, row = columns.step?.indexOf(step) ?? -1;
+  const said = [FIRST_AXES[scenario]?.[0], "F_n"].map((name) => columnsOf(scenario).find((one) => one.name === name)).filter((one) => one && Number.isFinite(columns[one.name]?.[row]));
+  return `step ${step}${said.map((one) => `, ${one.name} ${numberText(columns[one.name][row], one.unit)}`).join("")}`;
 }
 
 let picturing = 0, pictured = 0; // numbers of the request and of what is drawn
@@ -340,10 +283,11 @@ async function drawPictures() {
   if (page.live?.picture) {
     const fits = page.live.picture.kind === shown.kind && (!shown.name || page.live.picture.name === shown.name);
     if (!fits && page.live.done && !preview.abort) { page.before = null; return stream({ ...page.values }); }
-    found.push(["this case", page.live.picture]);
+    found.push([liveName(), page.live.picture]);
   }
   for (const one of page.shown.slice(0, 4)) {
-    try { found.push([one.name, await ask("POST", "/api/picture", { name: one.name, state: $("state").value || "aligned", shown })]); } catch (error) { found.push([one.name, error.message]); }
+    const state = $("state").value || "aligned", isStored = !/^\d+$/.test(state) || !one.outline || one.outline.steps.includes(Number(state));
+    try { found.push([one.name, isStored ? await ask("POST", "/api/picture", { name: one.name, state, shown }) : `step ${state} is not stored; choose another one at "at"`]); } catch (error) { found.push([one.name, error.message]); }
     if (mine !== picturing) return;
   }
   const drawn = found.map(([, picture]) => picture).filter((picture) => picture?.names);
@@ -351,16 +295,16 @@ async function drawPictures() {
   const box = $("pictures");
   if (box.firstElementChild?.tagName === "P") box.replaceChildren();
   while (box.children.length > found.length) box.lastChild.remove();
+  while (box.children.length < found.length) box.append(h("figure", {}, h("figcaption"), h("div", { class: "plot", role: "img" }))); // all, as they share the width
   found.forEach(([name, picture], i) => {
-    const figure = box.children[i] ?? box.appendChild(h("figure", {}, h("figcaption"), h("div", { class: "plot", role: "img" })));
-    const [caption, plot] = figure.children;
+    const figure = box.children[i], [caption, plot] = figure.children;
     if (picture === null) { // just written to, or nothing is stored so far: what is there stays
       if (figure.dataset.of !== name) { caption.textContent = `${name}: nothing is stored so far`; Plotly.purge(plot); }
       return;
     }
     figure.dataset.of = name;
     if (typeof picture === "string") { caption.textContent = `${name}: ${picture}`; Plotly.purge(plot); return; }
-    caption.textContent = `${name.replace(/^results\//, "")}: ${picture.title}, ${picture.state}`;
+    caption.textContent = `${name.replace(/^results\//, "")}: ${[picture.title, picture.state, picture.plane].filter(Boolean).join(", ")}`;
     if (plot.dataset.kind !== picture.kind) Plotly.purge(plot);
     plot.dataset.kind = picture.kind;
     RESIZED.observe(plot);
@@ -389,8 +333,8 @@ function drawNumbers() {
   const row = (name, cells, differs) => h("tr", {}, h("th", { scope: "row" }, name), cells.map((cell) => h("td", { class: differs ? "differs" : "" }, cell)));
   const keys = [...new Set(runs.flatMap((one) => Object.keys(one.outline.values)))].filter((key) => new Set(runs.map((one) => JSON.stringify(one.outline.values[key]))).size > 1);
   const names = [...new Set(runs.flatMap((one) => one.outline.numbers.map((number) => number.name)))];
-  const unitOf = (key) => form.fields.get(plainKey(key))?.bare ?? "";
-  const inputs = keys.map((key) => row(key, runs.map((one) => valueText(one.outline.values[key], unitOf(key))), true));
+  const unitOf = (key, { pure }) => (pure.includes(key) ? "" : form.fields.get(plainKey(key))?.bare ?? "");
+  const inputs = keys.map((key) => row(key, runs.map(({ outline }) => valueText(outline.values[key], unitOf(key, outline))), true));
   const numbers = names.map((name) => row(name, runs.map((one) => { const found = one.outline.numbers.find((number) => number.name === name); return found ? numberText(found.value, found.unit) : "–"; })));
   const intervals = runs.flatMap((one) => one.outline.intervals.map((found) => row(`${found.name} of ${shortName(one)}`, [found.value, `${found.low} to ${found.high}`, found.error])));
   const heads = h("thead", {}, h("tr", {}, ["", "finest cells", "interval", "error"].map((text) => h("th", { scope: "col" }, text))));

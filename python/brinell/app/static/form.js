@@ -64,6 +64,7 @@ class Form {
     this.on = on;
     this.fields = new Map(sections.flatMap((section) => section.fields.map((field) => [field.key, field])));
     this.sliders = new Map(); // the value about which each slider was made
+    this.units = new Map(); // the last unit of each value that was right
     this.helped = new Set();
     this.opened = new Map();
   }
@@ -71,6 +72,7 @@ class Form {
   /** Draws the form for a case and what was found in it; the place of the cursor stays. */
   draw(values, checked, materials) {
     Object.assign(this, { values, checked, materials });
+    for (const details of this.element.querySelectorAll("details")) this.opened.set(details.dataset.fold, details.open); // its event may still be on its way
     const held = this.held(), scroll = this.element.parentElement.scrollTop;
     const groups = new Map();
     const applies = checked.applies;
@@ -123,7 +125,7 @@ class Form {
     const hasError = tables.some((table) => table.querySelector(".wrong"));
     const isOpen = this.opened.get(name) ?? (i < 4 || hasError);
     const used = tables.filter((table) => table.dataset.used), idle = tables.filter((table) => !table.dataset.used);
-    const details = h("details", { class: "group", open: isOpen || hasError }, h("summary", {}, name), h("div", {}, used, idle.length ? this.idle(name, idle) : null));
+    const details = h("details", { class: "group", "data-fold": name, open: isOpen || hasError }, h("summary", {}, name), h("div", { role: "group", "aria-label": name }, used, idle.length ? this.idle(name, idle) : null));
     details.addEventListener("toggle", () => this.opened.set(name, details.open));
     return details;
   }
@@ -131,8 +133,12 @@ class Form {
   /** Tables of which nothing is given, behind one line that names them. */
   idle(group, tables) {
     const id = `idle ${group}`, names = tables.map((table) => table.dataset.name.toLowerCase()).filter(Boolean);
-    const details = h("details", { class: "more", open: this.opened.get(id) ?? false }, h("summary", {}, names.length ? `More: ${names.join(", ")}` : "Settings"), tables);
-    details.addEventListener("toggle", () => this.opened.set(id, details.open));
+    if (tables.length === 1 && !names.length) return tables[0]; // it has a fold of its own
+    const details = h("details", { class: "more", "data-fold": id, open: this.opened.get(id) ?? false }, h("summary", {}, `More: ${names.join(", ")}`), tables);
+    details.addEventListener("toggle", () => {
+      this.opened.set(id, details.open);
+      if (details.open && tables.length === 1) for (const inner of details.querySelectorAll("details")) inner.open = true;
+    });
     return details;
   }
 
@@ -150,9 +156,9 @@ class Form {
     parts.push(...main.map((key) => this.field(key)));
     if (more.length) {
       const id = `more ${table}`;
-      const isOpen = this.opened.get(id) ?? false;
-      const label = main.length ? `${more.length} more` : more.length === 1 ? "1 setting" : `${more.length} settings`;
-      const details = h("details", { class: "more", open: isOpen }, h("summary", {}, label));
+      const isOpen = this.opened.get(id) ?? (!main.length && more.length <= 2 && Boolean(table.includes(".")));
+      const label = this.namesOf(more);
+      const details = h("details", { class: "more", "data-fold": id, open: isOpen }, h("summary", {}, label));
       if (isOpen) details.append(...more.map((key) => this.field(key)));
       details.addEventListener("toggle", () => {
         this.opened.set(id, details.open);
@@ -160,7 +166,14 @@ class Form {
       });
       parts.push(details);
     }
-    return h("div", { class: "table", "data-used": main.length || ofTable.length ? "yes" : null, "data-name": this.nameOf(table) }, parts);
+    return h("div", { class: "table", "data-used": main.length || ofTable.length ? "yes" : null, "data-name": this.nameOf(table), role: this.nameOf(table) ? "group" : null, "aria-label": this.nameOf(table) || null }, parts);
+  }
+
+  /** What a fold holds, by the labels of its first fields. */
+  namesOf(keys) {
+    const labels = keys.map((key) => (this.fields.get(plainKey(key))?.label ?? key).toLowerCase());
+    const rest = labels.length - 3;
+    return `More: ${labels.slice(0, 3).join(", ")}${rest > 0 ? ` and ${rest} ${rest === 1 ? "other" : "others"}` : ""}`;
   }
 
   heading(table, section) {
@@ -251,22 +264,39 @@ class Form {
     if (isNumeric) return this.number(key, field, value, attributes, units);
     const shown = value === undefined ? "" : typeof value === "string" ? value : JSON.stringify(value);
     const isText = field.kind === "text" || field.kind === "snapshots";
-    const input = h("input", { type: "text", ...attributes, value: shown, placeholder: field.default, list: field.is_file ? "data-files" : null,
+    const input = h("input", { type: "text", ...attributes, value: shown, placeholder: this.without(field), list: field.is_file ? "data-files" : null,
       onchange: () => set(input.value === "" ? undefined : isText ? listOr(input.value, field.kind) : parsedOr(input.value)) });
     return input;
   }
 
   number(key, field, value, attributes, units) {
     if (Array.isArray(value) && value.length > 60) return h("span", { ...attributes }, `${value.length} values`);
-    const given = value === undefined ? { text: "", unit: units[0] ?? "" } : split(field, value);
+    const given = this.given(key, field, value, units);
     const choices = units.length && given.unit !== null && !units.includes(given.unit) ? [given.unit, ...units] : units;
     const unit = units.length ? h("select", { class: "unit", "aria-label": `Unit of ${field.label}` }, given.unit === null ? h("option", { value: "" }, "–") : null,
       choices.map((one) => h("option", { value: one, selected: one === given.unit }, one === "" ? "1" : one))) : null;
-    const change = () => this.on.change({ [key]: joined(field, input.value, unit?.value ?? (given.unit || "")) }, false);
+    const change = () => this.on.change({ [key]: joined(field, input.value, unit?.value ?? "") }, false);
     const input = h("input", { type: "text", ...attributes, inputmode: "decimal", value: units.length ? given.text : value === undefined ? "" : [].concat(value).join(", "),
-      placeholder: field.required ? "" : field.default, onchange: change });
+      placeholder: field.required ? "" : this.without(field), onchange: change });
     unit?.addEventListener("change", () => { if (input.value) change(); });
     return unit ? [input, unit] : input;
+  }
+
+  /** What holds without a value, in this scenario and in short. */
+  without(field) {
+    const here = new RegExp(`, in ${this.values.scenario} ([^,;]+)`).exec(field.default)?.[1];
+    const short = here ?? field.default.split(/;|, in (?=[a-z]+ [\d.]+)/)[0];
+    return short.replace(/-?\d+\.\d{6,}/g, (number) => String(Number(Number(number).toPrecision(4))));
+  }
+
+  /** Text and unit as they are shown: a text that is no quantity stands whole, beside the unit that held before it. */
+  given(key, field, value, units) {
+    const usual = this.units.get(key) ?? units[0] ?? "";
+    if (value === undefined) return { text: "", unit: usual };
+    const found = split(field, value), isWrong = this.checked.errors.some((one) => one.key === key);
+    if (units.length && isWrong && !Array.isArray(value) && found.unit !== usual && !units.includes(found.unit)) return { text: String(value), unit: usual };
+    if (units.length && !isWrong && found.unit !== null) this.units.set(key, found.unit);
+    return found;
   }
 
   choice(field, value, attributes, set) {
@@ -292,7 +322,7 @@ class Form {
       } });
       return h("label", {}, box, ` ${word.replaceAll("_", " ")}`);
     };
-    return h("fieldset", { class: "words", ...attributes, "aria-label": field.label }, field.choices.map(one));
+    return h("fieldset", { class: "words", ...attributes, "aria-label": field.label }, field.choices.map(one), chosen.size ? null : h("span", { class: "quiet" }, `None is chosen; this then holds: ${field.default}`));
   }
 
   canSlide(key, field) {
@@ -344,7 +374,7 @@ class Form {
       const box = document.getElementById(`f-${key}`);
       if (box) box.value = Array.isArray(value) ? split(field, given()).text : place(Number(input.value));
     };
-    const input = h("input", { type: "range", min: 0, max: 1, step: 0.005, value: start, "aria-label": `Slider for ${field.label}`, id: `s-${key}`,
+    const input = h("input", { type: "range", min: 0, max: 1, step: 0.005, value: start, "aria-valuetext": output.textContent, "aria-label": `Slider for ${field.label}`, id: `s-${key}`,
       oninput: () => { tell(); this.on.slide(key, given()); }, onchange: () => { tell(); this.on.release(key, given()); } });
     return h("div", { class: "under slider" }, input, output);
   }

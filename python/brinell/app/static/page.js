@@ -31,24 +31,35 @@ async function sweep() {
   const { key, field, value, first, parts, pure } = sweepParts();
   const from = Number($("sweep-from").value), to = Number($("sweep-to").value), count = Math.round(Number($("sweep-count").value));
   const isLog = $("sweep-log").checked;
-  if (!Number.isFinite(from) || !Number.isFinite(to) || from === to || !(count >= 2) || (isLog && !(from > 0 && to > 0))) { $("sweep-note").textContent = `Give two numbers${isLog ? " above 0" : ""}, and 2 or more values.`; return; }
+  const isWrong = { "sweep-from": !isGiven("sweep-from") || (isLog && !(from > 0)), "sweep-to": !isGiven("sweep-to") || from === to || (isLog && !(to > 0)), "sweep-count": !(count >= 2 && count <= 200) };
+  const wrong = Object.keys(isWrong).filter((id) => isWrong[id]);
+  for (const id of Object.keys(isWrong)) $(id).setAttribute("aria-invalid", String(isWrong[id]));
+  tellOfSweep(wrong.length ? `Give two different numbers${isLog ? " above 0" : ""}, and 2 to 200 values.` : "", true);
+  if (wrong.length) { $(wrong[0]).focus(); return; }
   const places = Array.from({ length: count }, (_, i) => i / (count - 1));
   const numbers = [...new Set(places.map((at) => Number((isLog ? from * (to / from) ** at : from + (to - from) * at).toPrecision(6))).map((x) => (field.kind === "integer" ? Math.round(x) : x)))];
   const over = numbers.map((x) => (pure || typeof first === "number" || !parts.unit ? x : `${x} ${parts.unit}`)).map((x) => (Array.isArray(value) ? [x, ...value.slice(1)] : x));
   try {
     const job = await ask("POST", "/api/sweep", { values: page.values, name: `${baseName()}-sweep`, key, over });
-    $("sweep-note").textContent = `${job.name}: ${over.length} runs`;
+    tellOfSweep(`${job.name}: ${over.length} runs`);
     $("sweep-figure").replaceChildren();
     await refresh();
-  } catch (error) { $("sweep-note").textContent = error.message; }
+  } catch (error) { tellOfSweep(error.message, true); }
+}
+
+const isGiven = (id) => $(id).value.trim() !== "" && Number.isFinite(Number($(id).value));
+
+function tellOfSweep(text, isWrong = false) {
+  $("sweep-note").textContent = text;
+  $("sweep-note").className = isWrong ? "complaint" : "quiet";
 }
 
 async function showSweep(name) {
   try {
     const figures = await ask("GET", `/api/figures?name=${encodeURIComponent(name)}`);
     $("sweep-figure").replaceChildren(...figures.map(figureOf));
-    $("sweep-note").textContent = figures.length ? `${name}; its table is ${name}/table.csv` : `${name}: no key number differs between its runs.`;
-  } catch (error) { $("sweep-note").textContent = error.message; }
+    tellOfSweep(figures.length ? `${name}; its table is ${name}/table.csv` : `${name}: no key number differs between its runs.`);
+  } catch (error) { tellOfSweep(error.message, true); }
 }
 
 // --- Measured curves ------------------------------------------------------------------------------------------------
@@ -62,8 +73,8 @@ function measuredCurve() {
 function readMeasured(name, text, file = "") {
   try {
     const found = measuredOf(text);
-    page.measured = { ...found, name, text, file, x: 0, y: 1, xFactor: factorOf(found.titles[0]), yFactor: factorOf(found.titles[1]), reverse: { x: false, y: false } };
-  } catch (error) { tell(`${name}: ${error.message}`); $("fit-note").textContent = `${name}: ${error.message}`; return; }
+    page.measured = { ...found, name, text, file, x: 0, y: 1, xFactor: 1, yFactor: 1, of: {}, wrong: {}, reverse: { x: false, y: false } };
+  } catch (error) { tellOfMeasured([`${name}: ${error.message}`]); return; }
   drawMeasuredControls();
   drawShown();
   drawCurve();
@@ -73,12 +84,42 @@ function readMeasured(name, text, file = "") {
 function drawMeasuredControls() {
   const select = (of, label, entries, set) => h("select", { "aria-label": label, "data-measured": of, onchange: (event) => { set(Number(event.target.value)); tellMeasured(); drawCurve(); } }, entries.map(([value, text]) => h("option", { value }, text)));
   const axis = (which, label) => h("span", {},
-    select(which, `Column of the file for ${label}`, page.measured.titles.map((title, i) => [i, title]), (i) => Object.assign(page.measured, { [which]: i, [`${which}Factor`]: factorOf(page.measured.titles[i]) })),
-    " in ", select(`${which}Factor`, `Unit of ${label} in the file`, FACTORS, (size) => { page.measured[`${which}Factor`] = size; }), " ");
+    select(which, `Column of the file for ${label}`, page.measured.titles.map((title, i) => [i, title]), (i) => { page.measured[which] = i; }),
+    " in ", select(`${which}Factor`, `Unit of ${label} in the file`, [], (size) => { page.measured[`${which}Factor`] = size; page.measured.wrong[which] = ""; }), " ");
   $("measured-controls").replaceChildren("Measured: across ", axis("x", "across"), "up ", axis("y", "up"));
   $("measured-controls").hidden = false;
   for (const [which, label] of [["x", "across"], ["y", "up"]]) $(`fit-column-${which}`).replaceChildren("is ", axis(which, label));
   tellMeasured();
+}
+
+/** Takes the units of the file from its titles, where its columns, or those over which they are laid, have changed. */
+function settleMeasured(columns) {
+  const { measured } = page;
+  for (const which of ["x", "y"]) {
+    const column = columns[which], title = measured.titles[measured[which]], of = `${column.name} ${measured[which]}`;
+    if (measured.of[which] === of) continue;
+    const { size, wrong } = factorOf(title, column.unit);
+    measured.of[which] = of;
+    measured[`${which}Factor`] = size;
+    measured.wrong[which] = wrong ? `"${title}": ${wrong} is no unit of ${column.name}, which is ${!column.unit || column.unit === "1" ? "a pure number" : `in ${column.unit}`}; choose the unit of the file.` : "";
+    for (const select of document.querySelectorAll(`[data-measured=${which}Factor]`)) offer(select, factorsOf(column.unit));
+  }
+  tellMeasured();
+  const { left } = measured;
+  tellOfMeasured([...Object.values(measured.wrong), left.length ? `Left out, as there are not only numbers: ${left.slice(0, 3).join("; ")}${left.length > 3 ? `; and ${left.length - 3} more` : ""}.` : ""]);
+}
+
+function tellOfMeasured(texts) {
+  const text = texts.filter(Boolean).join(" ");
+  if ($("measured-note").textContent !== text) for (const id of ["measured-note", "fit-measured-note"]) $(id).textContent = text;
+}
+
+function dropMeasured() {
+  page.measured = null;
+  $("measured-controls").hidden = true;
+  tellOfMeasured([]);
+  drawShown();
+  drawAll();
 }
 
 function tellMeasured() {
@@ -97,6 +138,7 @@ function dialogue(title, labels, done) {
     event.preventDefault();
     try { await done(...inputs.map((input) => input.value)); $("dialog").close(); } catch (error) { $("dialog-error").textContent = error.message; }
   };
+  $("dialog-cancel").onclick = () => $("dialog").close(); // no button of the form, which Enter would press
   $("dialog").showModal();
 }
 
@@ -152,11 +194,32 @@ function chooseTab(tab) {
   if (name === "fields") drawPictures();
   if (name === "numbers") drawNumbers();
   if (name === "text") drawTexts();
-  if (name === "figures") drawFigures();
+  if (name === "figures") { showLatestFigures(); drawFigures(); }
   if (name === "fit") { drawFit(); drawFitPlot(); }
 }
 
+/** Figures are first those of the run that was shown last. */
+function showLatestFigures() {
+  const menu = $("figures-of"), { latest } = menu.dataset;
+  if (latest && [...menu.options].some((one) => one.value === latest)) menu.value = latest;
+  delete menu.dataset.latest;
+}
+
+/** A button beside each text that copies it. */
+function addCopyButtons() {
+  for (const text of document.querySelectorAll("pre[id]")) {
+    const title = document.getElementById(text.getAttribute("aria-labelledby")), button = h("button", { class: "copy", "aria-label": `Copy: ${title.textContent}` }, "Copy");
+    button.onclick = async () => {
+      await navigator.clipboard.writeText(text.textContent).catch(() => getSelection().selectAllChildren(text)); // what may not be copied can be by hand
+      button.textContent = getSelection().containsNode(text, true) ? "Selected" : "Copied";
+      setTimeout(() => { button.textContent = "Copy"; }, 2000);
+    };
+    title.append(" ", button);
+  }
+}
+
 function connect() {
+  addCopyButtons();
   for (const tab of tabs()) {
     tab.onclick = () => chooseTab(tab);
     tab.onkeydown = (event) => {
@@ -178,7 +241,7 @@ function connect() {
   $("file").onchange = async () => {
     const file = $("file").files[0];
     $("file").value = "";
-    if (file) try { open((await ask("POST", "/api/parse", { text: await file.text() })).values, ""); } catch (error) { tell(`${file.name}: ${error.message}`); }
+    if (file) try { open((await ask("POST", "/api/parse", { text: await file.text() })).values, "", file.name); } catch (error) { tell(`${file.name}: ${error.message}`); }
   };
   $("save").onclick = save;
   $("run").onclick = run;
@@ -212,4 +275,5 @@ async function begin() {
   setTimeout(watch, 1000);
 }
 
+addEventListener("beforeunload", (event) => { if (page.changed) event.preventDefault(); }); // the browser asks
 addEventListener("DOMContentLoaded", () => begin().catch((error) => { $("problems").textContent = error.message; }));
