@@ -212,7 +212,7 @@ class SurfaceCompliance:
                 displacement in any direction is set to zero [m]. It must exceed the size of the surface. It is needed
                 because the displacement of a line load grows with the logarithm of the distance without bound.
             lower_layers: layers on the lower body, from the surface down (docs/theory/stacks.md); `lower` is the body
-                beneath them and may then be rigid. Layered bodies have no displacement by or along shear yet.
+                beneath them and may then be rigid.
             upper_layers: layers on the upper body, from its surface.
 
         Raises:
@@ -232,7 +232,6 @@ class SurfaceCompliance:
         at_upper = upper_layers[0].material if upper_layers else upper
         self.contact_modulus = _core.contact_modulus(at_lower._engine, at_upper._engine)
         """Contact modulus E' of the materials at the surfaces [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
-        self.is_layered = bool(lower_layers or upper_layers)
         """Whether a body has layers."""
         self._engine = _core.SurfaceCompliance(
             grid._engine,
@@ -277,15 +276,7 @@ class SurfaceCompliance:
 
         Returns:
             (3, ny, nx) displacement along x, y and z [m].
-
-        Raises:
-            InputError: a body has layers.
         """
-        if self.is_layered:
-            raise InputError(
-                "displacements along the surface and by shear are not computed for bodies with layers; allowed: "
-                "pressure_to_displacement"
-            )
         return self._engine.displacements(
             _optional(pressure, "pressure"), _optional(shear_x, "shear_x"), _optional(shear_y, "shear_y")
         )

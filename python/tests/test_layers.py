@@ -57,11 +57,21 @@ def test_traction_is_continuous_and_the_stress_along_an_interface_jumps():
     assert above[0] > below[0] + 1e5
 
 
+def test_pressure_and_shear_on_layers_are_reciprocal():
+    pair = SurfaceCompliance(GRID, BASE, RIGID, lower_layers=[Layer(2e-6, COAT)])
+    random = np.random.default_rng(1)
+    pressure, shear = random.random(GRID.shape), random.random(GRID.shape)
+    by_shear = pair.displacement(shear_x=shear)[2]
+    by_pressure = pair.displacement(pressure=pressure)
+    assert np.vdot(pressure, by_shear) == pytest.approx(np.vdot(shear, by_pressure[0]), rel=1e-9)
+    # Alone, the pressure takes a shorter way.
+    np.testing.assert_allclose(
+        by_pressure[2], pair.pressure_to_displacement(pressure), rtol=0, atol=1e-9 * by_pressure[2].max()
+    )
+
+
 def test_what_layers_cannot_do_is_refused():
     layers = [Layer(2e-6, COAT)]
-    pair = SurfaceCompliance(GRID, BASE, RIGID, lower_layers=layers)
-    with pytest.raises(InputError, match="bodies with layers"):
-        pair.displacement(shear_x=np.ones(GRID.shape))
     grid = VolumeGrid(SurfaceGrid(4, 4, 1e-6, 1e-6), 2, 1e-6)
     body = HalfSpace(grid, BASE, layers=layers)
     strain = np.zeros((6, *grid.shape))

@@ -39,7 +39,7 @@ public:
   SurfaceCompliance(const SurfaceGrid& grid, double contact_modulus, double reference = 0.0);
   /// @param body2  rigid for the displacement of body 1 alone.
   SurfaceCompliance(const SurfaceGrid& grid, const Elastic& body1, const Elastic& body2, double reference = 0.0);
-  /// For pressures and displacements along z of layered bodies (docs/theory/stacks.md).
+  /// Of layered bodies (docs/theory/stacks.md).
   /// @throws InputError if a first layer is thinner than a quarter of a cell, unless the surface is periodic along both axes
   SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack& body1, const ElasticStack& body2,
                     double reference = 0.0);

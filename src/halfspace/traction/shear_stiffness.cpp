@@ -16,25 +16,31 @@ namespace
 {
 
 /// Compliance of all waves of the periodic operator, row by row.
-std::vector<ShearWave> waves(const SurfaceGrid& grid, const green::PairConstants& constants, double reference)
+std::vector<ShearWave> waves(const SurfaceGrid& grid, const green::PairConstants& constants, double reference,
+                             const std::vector<LayeredBody>& layered)
 {
-  if (grid.is_periodic())
-    return periodic_shear_waves(grid, constants);
-  return shear_waves(grid, KernelPlaces::periodic(grid), cell_surface_terms(grid, reference), constants);
+  std::vector<ShearWave> result = grid.is_periodic() ? periodic_shear_waves(grid, constants)
+                                                     : shear_waves(grid, KernelPlaces::periodic(grid),
+                                                                   cell_surface_terms(grid, reference), constants);
+  if (!layered.empty())
+    add_excess(grid, layered, reference, result);
+  return result;
 }
 
 } // namespace
 
-ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const green::PairConstants& constants, double reference)
-    : ShearStiffness(grid, with_fast_lengths(grid), constants, reference)
+ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const green::PairConstants& constants, double reference,
+                               const std::vector<LayeredBody>& layered)
+    : ShearStiffness(grid, with_fast_lengths(grid), constants, reference, layered)
 {
 }
 
 ShearStiffness::ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& larger,
-                               const green::PairConstants& constants, double reference)
+                               const green::PairConstants& constants, double reference,
+                               const std::vector<LayeredBody>& layered)
     : product_(grid, {larger.nx, larger.ny}, {false, true}), stiffness_(product_.fft())
 {
-  const std::vector<ShearWave> compliance = waves(larger, constants, reference);
+  const std::vector<ShearWave> compliance = waves(larger, constants, reference, layered);
   // Uniform shears, which cause no displacement, are assigned a stiffness: see `inverse` in surface_compliance.cpp.
   constexpr double share = 1.0 / 64.0;
   const double uniform = share * largest(compliance);

@@ -3,6 +3,9 @@
 
 #include "brinell/green/surface_terms.hpp"
 #include "halfspace/transform/wave_product.hpp"
+#include "stack_shears.hpp"
+
+#include <vector>
 
 namespace brinell::halfspace
 {
@@ -12,7 +15,9 @@ namespace brinell::halfspace
 class ShearStiffness
 {
 public:
-  ShearStiffness(const SurfaceGrid& grid, const green::PairConstants& constants, double reference);
+  /// @param layered  the bodies of the pair that have layers
+  ShearStiffness(const SurfaceGrid& grid, const green::PairConstants& constants, double reference,
+                 const std::vector<LayeredBody>& layered = {});
 
   using Product = WaveProduct<2>;
   using Scratch = Product::Scratch;
@@ -28,7 +33,7 @@ public:
 
 private:
   ShearStiffness(const SurfaceGrid& grid, const SurfaceGrid& larger, const green::PairConstants& constants,
-                 double reference);
+                 double reference, const std::vector<LayeredBody>& layered);
 
   Product product_;
   WaveTable<std::array<Lanes, 3>> stiffness_; ///< xx, yy, xy of each wave

@@ -74,4 +74,38 @@ std::vector<ShearWave> shear_waves(const SurfaceGrid& grid, const KernelPlaces& 
   return waves;
 }
 
+void add_excess(const SurfaceGrid& grid, const std::vector<LayeredBody>& layered, double reference,
+                std::vector<ShearWave>& waves)
+{
+  if (!grid.is_periodic())
+  {
+    const Quadrant<SurfaceExcess> response = excess_surface(grid, layered, reference);
+    const Offsets along_x(grid.nx, grid.boundary_x), along_y(grid.ny, grid.boundary_y);
+    const auto spectrum = [&](std::size_t term, const auto& sign)
+    {
+      return spectrum_of(grid, KernelPlaces::periodic(grid),
+                         [&](int i, int j) { return sign(i, j) * response.at(i, j)[term]; });
+    };
+    const auto even = [](int, int) { return 1.0; };
+    const std::vector<double> xx = spectrum(excess::xx, even), yy = spectrum(excess::yy, even);
+    const std::vector<double> xy =
+        spectrum(excess::xy, [&](int i, int j) { return along_x.sign(i) * along_y.sign(j); });
+    for (std::size_t w = 0; w < waves.size(); ++w)
+      waves[w] = {waves[w].xx + xx[w], waves[w].yy + yy[w], waves[w].xy + xy[w]};
+    return;
+  }
+  auto wave = waves.begin();
+  for (int row = 0; row <= grid.ny / 2; ++row)
+    for (int i = 0; i <= grid.nx / 2; ++i, ++wave)
+    {
+      if (i == 0 && row == 0)
+        continue;
+      const SurfaceExcess more = excess_wave(layered, 2.0 * std::numbers::pi * i / (grid.nx * grid.dx),
+                                             2.0 * std::numbers::pi * row / (grid.ny * grid.dy));
+      const bool is_resolved = 2 * i != grid.nx && 2 * row != grid.ny;
+      *wave = {wave->xx + more[excess::xx], wave->yy + more[excess::yy],
+               wave->xy + (is_resolved ? more[excess::xy] : 0.0)};
+    }
+}
+
 } // namespace brinell::halfspace

@@ -4,6 +4,7 @@
 #include "brinell/green/surface_terms.hpp"
 #include "halfspace/transform/cell_response.hpp"
 #include "halfspace/transform/kernel_places.hpp"
+#include "stack_shears.hpp"
 
 #include <vector>
 
@@ -34,5 +35,10 @@ struct ShearWave
 [[nodiscard]] std::vector<ShearWave> shear_waves(const SurfaceGrid& grid, const KernelPlaces& places,
                                                  const Quadrant<green::SurfaceTerms>& response,
                                                  const green::PairConstants& constants);
+
+/// Adds what layered bodies yield more than bodies of their top materials to the compliances of the nearest periodic operator, row by
+/// row.
+void add_excess(const SurfaceGrid& grid, const std::vector<LayeredBody>& layered, double reference,
+                std::vector<ShearWave>& waves);
 
 } // namespace brinell::halfspace

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "foundation/fft.hpp"
 #include "radial_table.hpp"
+#include "stack_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,106 +21,6 @@ namespace
 
 using green::WaveLoad;
 using std::numbers::pi;
-
-/// Lengths of the lattice of waves, in cells, and the waves beyond the cells' shortest one that a cell with sharp edges contains.
-struct Lattice
-{
-  int px, py, folds_x, folds_y;
-};
-
-/// Distance from which the body responds like its substrate [m]: a hard coating spreads the load, a soft one that hardly
-/// changes its volume is squeezed slowly.
-double reach(const ElasticStack& stack)
-{
-  double softest = stack.substrate.is_rigid() ? stack.top().shear_modulus() : stack.substrate.shear_modulus();
-  double hardest = softest, least = 1.0;
-  for (const ElasticLayer& layer : stack.layers)
-  {
-    softest = std::min(softest, layer.elastic.shear_modulus());
-    hardest = std::max(hardest, layer.elastic.shear_modulus());
-    least = std::min(least, 1.0 - 2.0 * layer.elastic.poisson_ratio);
-  }
-  return stack.thickness() * hardest / (softest * std::sqrt(least));
-}
-
-int lattice_length(int cells, double cell, Boundary boundary, double distance)
-{
-  if (boundary == Boundary::periodic)
-    return cells;
-  constexpr int grids = 4, most = 1024;
-  const int least = grids * cells;
-  return fast_length(std::clamp(static_cast<int>(std::min(12.0 * distance / cell, 1e6)), least, std::max(least, most)));
-}
-
-/// Waves shorter than two cells matter where the first layer is thin compared with a cell: they decay as e^{-2kh}.
-int folds(double cell, const ElasticStack& stack)
-{
-  constexpr int most = 4;
-  return std::clamp(static_cast<int>(std::ceil(cell / stack.layers.front().thickness)), 1, most);
-}
-
-Lattice lattice_of(const SurfaceGrid& grid, const ElasticStack& stack)
-{
-  const double distance = reach(stack);
-  return {lattice_length(grid.nx, grid.dx, grid.boundary_x, distance),
-          lattice_length(grid.ny, grid.dy, grid.boundary_y, distance), folds(grid.dx, stack), folds(grid.dy, stack)};
-}
-
-/// Depth of the loads whose closed forms are the long waves.
-double depth_of_forms(const SurfaceGrid& grid, const ElasticStack& stack)
-{
-  return std::max({stack.thickness(), grid.dx, grid.ny > 1 ? grid.dy : 0.0});
-}
-
-struct WaveRange
-{
-  double smallest, largest;
-};
-
-WaveRange range_of(const SurfaceGrid& grid, const Lattice& lattice)
-{
-  const double x = 2.0 * pi / (lattice.px * grid.dx), y = 2.0 * pi / (lattice.py * grid.dy);
-  const double smallest = lattice.py == 1 ? x : lattice.px == 1 ? y : std::min(x, y);
-  return {smallest,
-          std::hypot((lattice.folds_x + 0.5) * 2.0 * pi / grid.dx, (lattice.folds_y + 0.5) * 2.0 * pi / grid.dy)};
-}
-
-double sinc(double x)
-{
-  return x == 0.0 ? 1.0 : std::sin(x) / x;
-}
-
-/// Sum over a wave of the lattice and those that look the same on the cells, each times the waves of a cell.
-/// @param row  wrapped
-template <typename Values, typename Use>
-Values folded(const SurfaceGrid& grid, const Lattice& lattice, int column, int row, const Use& use)
-{
-  const int signed_row = 2 * row <= lattice.py ? row : row - lattice.py;
-  Values sum{};
-  for (int fy = lattice.py == 1 ? 0 : -lattice.folds_y; fy <= (lattice.py == 1 ? 0 : lattice.folds_y); ++fy)
-    for (int fx = lattice.px == 1 ? 0 : -lattice.folds_x; fx <= (lattice.px == 1 ? 0 : lattice.folds_x); ++fx)
-    {
-      const double m = 2.0 * pi * (column + static_cast<double>(fx) * lattice.px) / (lattice.px * grid.dx);
-      const double n = 2.0 * pi * (signed_row + static_cast<double>(fy) * lattice.py) / (lattice.py * grid.dy);
-      if (m == 0.0 && n == 0.0)
-        continue; // the uniform wave is the caller's
-      use(m, n, sinc(0.5 * m * grid.dx) * sinc(0.5 * n * grid.dy), sum);
-    }
-  return sum;
-}
-
-/// Value and slope at k = 0 of a function given at four equidistant wavenumbers, the first of which is the step.
-LongWaves extrapolated(const std::array<double, 4>& f, double step)
-{
-  return {4.0 * f[0] - 6.0 * f[1] + 4.0 * f[2] - f[3],
-          (-26.0 * f[0] + 57.0 * f[1] - 42.0 * f[2] + 11.0 * f[3]) / (6.0 * step)};
-}
-
-/// Wavenumber of waves so long that only the first powers matter, and yet far above rounding.
-double long_wave(double reach)
-{
-  return 1e-3 / reach;
-}
 
 /// (1 - nu) / mu [1/Pa]; zero for a rigid body.
 double normal_compliance(const Elastic& body)

@@ -6,6 +6,7 @@
 #include "brinell/green/stack.hpp"
 #include "brinell/green/traction.hpp"
 #include "halfspace/transform/cell_response.hpp"
+#include "stack_lattice.hpp"
 
 #include <array>
 #include <vector>
@@ -20,12 +21,6 @@ namespace brinell::halfspace
 /// those that are summed. Waves of a surface that is periodic along both axes represent any layer.
 /// @throws InputError if the first layer is thinner
 void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack);
-
-/// Level e^{-kH} + rising k H e^{-kH}: the closed forms of long waves.
-struct LongWaves
-{
-  double level = 0.0, rising = 0.0;
-};
 
 /// Displacement along z by a unit pressure on a cell of a layered body, less that of a homogeneous body of its top material
 /// [m/Pa].

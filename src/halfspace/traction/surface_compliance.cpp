@@ -10,6 +10,7 @@
 #include "halfspace/transform/wave_product.hpp"
 #include "shear_stiffness.hpp"
 #include "stack_cells.hpp"
+#include "stack_shears.hpp"
 #include "tractions.hpp"
 
 #include <algorithm>
@@ -52,13 +53,13 @@ std::vector<double> inverse(std::vector<double> spectrum)
 }
 
 /// The layered ones of two bodies.
-using Stacks = std::vector<ElasticStack>;
+using Stacks = std::vector<LayeredBody>;
 
 Stacks layered(const ElasticStack& body1, const ElasticStack& body2)
 {
   Stacks stacks;
-  for (const ElasticStack& body : {body1, body2})
-    if (!body.is_homogeneous())
+  for (const LayeredBody& body : {LayeredBody{body1, 1.0}, LayeredBody{body2, -1.0}})
+    if (!body.stack.is_homogeneous())
       stacks.push_back(body);
   return stacks;
 }
@@ -89,14 +90,14 @@ Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modul
   if (grid.is_periodic())
   {
     std::vector<double> waves = wave_spectrum(grid, modulus);
-    for (const ElasticStack& stack : stacks)
-      add_excess(grid, stack, waves);
+    for (const LayeredBody& body : stacks)
+      add_excess(grid, body.stack, waves);
     return {waves, inverse(waves)};
   }
   Quadrant<double> response = cell_displacement(larger, reference);
-  for (const ElasticStack& stack : stacks)
+  for (const LayeredBody& body : stacks)
   {
-    const Quadrant<double> excess = excess_displacement(larger, stack, reference);
+    const Quadrant<double> excess = excess_displacement(larger, body.stack, reference);
     for (std::size_t n = 0; n < response.values.size(); ++n)
       response.values[n] += std::numbers::pi * modulus * excess.values[n];
   }
@@ -174,6 +175,7 @@ struct SurfaceCompliance::Operator
   std::optional<green::PairConstants> pair;
   double reference; ///< [m]
   Stacks stacks{};
+  bool are_equal = false; ///< layered bodies
   Lazy<Normal> normal_part{};
   Lazy<Tractions> traction_part{};
   Lazy<ShearStiffness> shear_part{};
@@ -185,18 +187,17 @@ struct SurfaceCompliance::Operator
   [[nodiscard]] const green::PairConstants& constants() const
   {
     if (!pair)
-      throw InternalError(stacks.empty() ? "SurfaceCompliance: shears and displacements along the surface need the "
-                                           "constants of both bodies, not only their contact modulus"
-                                         : "SurfaceCompliance: shears on layered bodies are not supported");
+      throw InternalError("SurfaceCompliance: shears and displacements along the surface need the constants of both "
+                          "bodies, not only their contact modulus");
     return *pair;
   }
   [[nodiscard]] const Tractions& tractions() const
   {
-    return traction_part.get([this] { return Tractions(grid, constants(), reference); });
+    return traction_part.get([this] { return Tractions(grid, constants(), reference, stacks); });
   }
   [[nodiscard]] const ShearStiffness& shear_stiffness() const
   {
-    return shear_part.get([this] { return ShearStiffness(grid, constants(), reference); });
+    return shear_part.get([this] { return ShearStiffness(grid, constants(), reference, stacks); });
   }
 };
 
@@ -224,11 +225,12 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const Elastic& bod
 
 SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack& body1, const ElasticStack& body2,
                                      double reference)
-    : SurfaceCompliance(make_hidden<Operator>(grid, contact_modulus(body1.top(), body2.top()), std::nullopt, reference,
-                                              layered(body1, body2)))
+    : SurfaceCompliance(make_hidden<Operator>(grid, contact_modulus(body1.top(), body2.top()),
+                                              green::pair_constants(body1.top(), body2.top()), reference,
+                                              layered(body1, body2), body1 == body2))
 {
-  for (const ElasticStack& stack : operator_->stacks)
-    require_resolved(grid, stack);
+  for (const LayeredBody& body : operator_->stacks)
+    require_resolved(grid, body.stack);
 }
 
 const SurfaceGrid& SurfaceCompliance::grid() const
@@ -238,13 +240,13 @@ const SurfaceGrid& SurfaceCompliance::grid() const
 
 SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
 {
-  return SurfaceCompliance(
-      make_hidden<Operator>(grid, operator_->modulus, operator_->pair, operator_->reference, operator_->stacks));
+  return SurfaceCompliance(make_hidden<Operator>(grid, operator_->modulus, operator_->pair, operator_->reference,
+                                                 operator_->stacks, operator_->are_equal));
 }
 
 bool SurfaceCompliance::couples() const
 {
-  return operator_->constants().coupling != 0.0;
+  return operator_->constants().coupling != 0.0 || (!operator_->stacks.empty() && !operator_->are_equal);
 }
 
 double SurfaceCompliance::along_over_across() const
