@@ -48,8 +48,9 @@ struct State
   }
 };
 
-/// Solves a system of four equations with two right-hand sides, by elimination with exchange of rows.
-void solve(std::array<std::array<double, 6>, 4>& rows)
+/// Solves a system of four equations with four right-hand sides, by elimination with exchange of rows.
+using System = std::array<std::array<double, 8>, 4>;
+void solve(System& rows)
 {
   for (std::size_t p = 0; p < 4; ++p)
   {
@@ -58,10 +59,10 @@ void solve(std::array<std::array<double, 6>, 4>& rows)
       if (std::abs(rows[r][p]) > std::abs(rows[best][p]))
         best = r;
     std::swap(rows[p], rows[best]);
-    for (std::size_t c = p + 1; c < 6; ++c)
+    for (std::size_t c = p + 1; c < 8; ++c)
       rows[p][c] /= rows[p][p];
     for (std::size_t r = 0; r < 4; ++r)
-      for (std::size_t c = p + 1; r != p && c < 6; ++c)
+      for (std::size_t c = p + 1; r != p && c < 8; ++c)
         rows[r][c] -= rows[r][p] * rows[p][c];
   }
 }
@@ -90,12 +91,6 @@ void require_valid(const ElasticStack& stack)
 
 } // namespace
 
-StackWave::Wave StackWave::times(const Matrix& m, const Wave& wave)
-{
-  return {m.aa * wave.a + m.ac * wave.c, m.ca * wave.a + m.cc * wave.c, m.ww * wave.w};
-}
-
-/// The wave at the distance s from its origin, with this point as the origin.
 StackWave::Wave StackWave::travelled(const Wave& wave, double s)
 {
   const double decay = std::exp(-s);
@@ -103,11 +98,9 @@ StackWave::Wave StackWave::travelled(const Wave& wave, double s)
   return {decay * wave.a - lag * wave.c, decay * wave.c, decay * wave.w};
 }
 
-/// Reflection by everything beneath the top of a layer.
 StackWave::Matrix StackWave::seen_from_top(const Layer& layer)
 {
-  const auto way = [&](const Wave& wave)
-  { return travelled(times(layer.reflected, travelled(wave, layer.x)), layer.x); };
+  const auto way = [&](const Wave& wave) { return travelled(layer.reflected * travelled(wave, layer.x), layer.x); };
   const Wave a = way({1.0, 0.0, 0.0}), c = way({0.0, 1.0, 0.0}), w = way({0.0, 0.0, 1.0});
   return {a.a, c.a, a.c, c.c, w.w};
 }
@@ -119,21 +112,27 @@ void StackWave::join(Layer& upper, const Layer& lower)
   const State down(upper.nu, 1.0, 1.0), up(upper.nu, 1.0, -1.0);
   const double softer = upper.mu / lower.mu;
   const State below_down(lower.nu, softer, 1.0), below_up(lower.nu, softer, -1.0);
-  std::array<std::array<double, 6>, 4> rows{};
+  System rows{};
   for (std::size_t r = 0; r < 4; ++r)
     rows[r] = {up.a[r],
                up.c[r],
                -(below_down.a[r] + below_up.a[r] * beneath.aa + below_up.c[r] * beneath.ca),
                -(below_down.c[r] + below_up.a[r] * beneath.ac + below_up.c[r] * beneath.cc),
                -down.a[r],
-               -down.c[r]};
+               -down.c[r],
+               below_up.a[r],
+               below_up.c[r]};
   solve(rows);
   upper.reflected = {rows[0][4], rows[0][5], rows[1][4], rows[1][5], 0.0};
   upper.transmitted = {rows[2][4], rows[2][5], rows[3][4], rows[3][5], 0.0};
+  upper.lifted = {rows[0][6], rows[0][7], rows[1][6], rows[1][7], 0.0};
+  upper.returned = {rows[2][6], rows[2][7], rows[3][6], rows[3][7], 0.0};
   // Across the wavevector the displacement is w / mu and the traction w g.
   const double compliance = softer * (1.0 + beneath.ww), traction = 1.0 - beneath.ww;
   upper.transmitted.ww = 2.0 / (compliance + traction);
   upper.reflected.ww = (compliance - traction) / (compliance + traction);
+  upper.lifted.ww = 2.0 * softer / (compliance + traction);
+  upper.returned.ww = (1.0 - softer) / (compliance + traction);
 }
 
 /// The bottom of a layer on a rigid base does not move.
@@ -162,7 +161,9 @@ StackWave::StackWave(const ElasticStack& stack, double k) : k_(k), is_on_rigid_b
                        .nu = layer.elastic.poisson_ratio,
                        .mu = layer.elastic.shear_modulus(),
                        .reflected = {},
-                       .transmitted = {}});
+                       .transmitted = {},
+                       .lifted = {},
+                       .returned = {}});
     top += layer.thickness;
   }
   if (is_on_rigid_base_)
@@ -173,7 +174,9 @@ StackWave::StackWave(const ElasticStack& stack, double k) : k_(k), is_on_rigid_b
                        .nu = stack.substrate.poisson_ratio,
                        .mu = stack.substrate.shear_modulus(),
                        .reflected = {},
-                       .transmitted = {}});
+                       .transmitted = {},
+                       .lifted = {},
+                       .returned = {}});
   for (std::size_t j = layers_.size() - 1; j-- > 0;)
     join(layers_[j], layers_[j + 1]);
 }
@@ -198,11 +201,58 @@ StackWave::Field StackWave::field_of(WaveLoad load) const
   for (const Layer& layer : layers_)
   {
     const Wave at_bottom = travelled(wave, layer.x);
-    field.push_back({wave, times(layer.reflected, at_bottom)});
-    wave = times(layer.transmitted, at_bottom);
+    field.push_back({wave, layer.reflected * at_bottom});
+    wave = layer.transmitted * at_bottom;
   }
   if (is_on_rigid_base_)
     field.emplace_back();
+  return field;
+}
+
+/// A wave F, C that goes up is cancelled by one with a = -F, c = C + 2 F that goes down, w by w: docs/theory/half-space.md
+/// (free-surface). With the reflection B from beneath, the downward wave is S (v + B d) for upward waves v from sources.
+StackWave::Matrix StackWave::from_free_surface() const
+{
+  const Matrix b = seen_from_top(layers_.front());
+  // 1 - S B with S = (-1 0; 2 1).
+  const double aa = 1.0 + b.aa, ac = b.ac, ca = -(2.0 * b.aa + b.ca), cc = 1.0 - (2.0 * b.ac + b.cc);
+  const double determinant = aa * cc - ac * ca;
+  return {(-cc - 2.0 * ac) / determinant, -ac / determinant, (ca + 2.0 * aa) / determinant, aa / determinant,
+          1.0 / (1.0 - b.ww)};
+}
+
+namespace
+{
+
+StackWave::Wave sum(const StackWave::Wave& p, const StackWave::Wave& q)
+{
+  return {p.a + q.a, p.c + q.c, p.w + q.w};
+}
+
+} // namespace
+
+/// From the deepest layer upwards, waves from beneath are passed on as if nothing came from above; then those from above follow.
+StackWave::Field StackWave::field_of(const Field& arriving) const
+{
+  const std::size_t count = layers_.size();
+  std::vector<Wave> from_beneath(count), at_top(count); // upwards, at the bottom and at the top
+  for (std::size_t j = count; j-- > 0;)
+  {
+    const Layer& l = layers_[j];
+    at_top[j] = sum(arriving[j].up, travelled(sum(l.reflected * arriving[j].down, from_beneath[j]), l.x));
+    if (j > 0)
+      from_beneath[j - 1] = layers_[j - 1].lifted * at_top[j];
+  }
+  Field field(count + (is_on_rigid_base_ ? 1 : 0));
+  Wave down = from_free_surface() * at_top.front();
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    const Layer& l = layers_[j];
+    const Wave at_bottom = sum(travelled(down, l.x), arriving[j].down);
+    field[j] = {down, sum(l.reflected * at_bottom, from_beneath[j])};
+    if (j + 1 < count)
+      down = sum(l.transmitted * at_bottom, l.returned * at_top[j + 1]);
+  }
   return field;
 }
 

@@ -95,8 +95,40 @@ public:
   /// Waves in all layers and, last, in the substrate.
   using Field = std::vector<Waves>;
 
+  /// Maps amplitudes to amplitudes: the part of a and c, and that of w.
+  struct Matrix
+  {
+    double aa = 0.0, ac = 0.0, ca = 0.0, cc = 0.0, ww = 0.0;
+    [[nodiscard]] Wave operator*(const Wave& wave) const
+    {
+      return {aa * wave.a + ac * wave.c, ca * wave.a + cc * wave.c, ww * wave.w};
+    }
+  };
+  struct Layer
+  {
+    double top = 0.0, x = 0.0; ///< depth [m], and k times the thickness; infinite for the substrate
+    double nu = 0.0, mu = 0.0;
+    Matrix reflected;   ///< from down to up, at the bottom
+    Matrix transmitted; ///< from down, at the bottom, to down at the top of the next layer
+    Matrix lifted;      ///< from up, at the top of the next layer, to up at the bottom
+    Matrix returned;    ///< from up to down, both at the top of the next layer
+  };
+  /// The layers and, unless it is rigid, the substrate.
+  [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
+  [[nodiscard]] double wavenumber() const { return k_; }
+  /// From up to down at the surface, which is free of traction: of waves that come from sources below, including those that return
+  /// again and again.
+  [[nodiscard]] Matrix from_free_surface() const;
+  /// The wave at the distance s from its origin, with this point as the origin.
+  [[nodiscard]] static Wave travelled(const Wave& wave, double s);
+  /// Reflection by everything beneath the top of a layer.
+  [[nodiscard]] static Matrix seen_from_top(const Layer& layer);
+
   [[nodiscard]] WaveCompliance compliance() const;
   [[nodiscard]] Field field_of(WaveLoad load) const;
+  /// Waves that sources within the layers cause at the interfaces and at the free surface, without those of the sources.
+  /// @param arriving  waves of the sources of each layer: downwards at its bottom, upwards at its top
+  [[nodiscard]] Field field_of(const Field& arriving) const;
   /// Stress at a depth [-], and its mean from one depth to a larger one in the same layer.
   /// @param layer  in which the depths lie: their boundary belongs to both layers
   [[nodiscard]] WaveStress stress(WaveLoad load, const Field& field, std::size_t layer, double depth) const;
@@ -107,20 +139,6 @@ public:
                                                    double depth) const;
 
 private:
-  struct Matrix
-  {
-    double aa = 0.0, ac = 0.0, ca = 0.0, cc = 0.0, ww = 0.0; ///< the part of a and c, and that of w
-  };
-  struct Layer
-  {
-    double top = 0.0, x = 0.0; ///< depth [m], and k times the thickness; infinite for the substrate
-    double nu = 0.0, mu = 0.0;
-    Matrix reflected;   ///< from down to up, at the bottom
-    Matrix transmitted; ///< from down, at the bottom, to down at the top of the next layer
-  };
-  [[nodiscard]] static Wave times(const Matrix& matrix, const Wave& wave);
-  [[nodiscard]] static Wave travelled(const Wave& wave, double s);
-  [[nodiscard]] static Matrix seen_from_top(const Layer& layer);
   static void join(Layer& upper, const Layer& lower);
   static void clamp(Layer& layer);
 
