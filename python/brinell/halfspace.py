@@ -18,7 +18,6 @@ import operator
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -232,7 +231,6 @@ class SurfaceCompliance:
         at_upper = upper_layers[0].material if upper_layers else upper
         self.contact_modulus = _core.contact_modulus(at_lower._engine, at_upper._engine)
         """Contact modulus E' of the materials at the surfaces [Pa], 1/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2."""
-        """Whether a body has layers."""
         self._engine = _core.SurfaceCompliance(
             grid._engine,
             lower._engine,
@@ -299,7 +297,7 @@ class HalfSpace:
             grid: grid of stress and strain; the pressure is on its surface grid.
             material: material of the body; only its elastic constants are used.
             layers: layers on the body, from the surface down (docs/theory/stacks.md). The stress in a cell that an
-                interface cuts is the mean over both layers. Layered bodies have no plastic strain yet.
+                interface cuts is the mean over both layers. With plastic strain no interface may cut cells.
 
         Raises:
             InputError: the material is rigid or invalid, or the grid needs more memory than the machine has.
@@ -334,18 +332,11 @@ class HalfSpace:
         Returns:
             (6, nz, ny, nx) stress, averaged over the thickness of a layer, at the middle of a cell in x and y [Pa].
         """
-        if self.layers and eigenstrain is not None:
-            self._refuse_strain()
         return self._engine.stress(
             _optional(pressure, "pressure"),
             _optional(eigenstrain, "eigenstrain"),
             _optional(shear_x, "shear_x"),
             _optional(shear_y, "shear_y"),
-        )
-
-    def _refuse_strain(self) -> NoReturn:
-        raise InputError(
-            "eigenstrain in a body with layers is not supported; allowed: pressure and shear on its surface"
         )
 
     def pressure_to_stress(self, pressure: ArrayLike) -> Array:
@@ -381,10 +372,8 @@ class HalfSpace:
             (ny, nx) displacement [m]; along z positive into the body.
 
         Raises:
-            InputError: a wrong shape, an unknown axis, or a body with layers.
+            InputError: a wrong shape, an unknown axis, or strain in a body whose interfaces lie within cells.
         """
-        if self.layers:
-            self._refuse_strain()
         if axis not in ("x", "y", "z"):
             raise InputError(f"axis = {axis!r} of a displacement; allowed: 'x', 'y', 'z'")
         return self._engine.residual_displacement(contiguous(eigenstrain, "eigenstrain"), axis)

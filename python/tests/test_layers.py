@@ -70,13 +70,30 @@ def test_pressure_and_shear_on_layers_are_reciprocal():
     )
 
 
+def test_plastic_strain_in_layers_and_the_load_on_them_are_reciprocal():
+    grid = VolumeGrid(SurfaceGrid(8, 6, 1e-6, 1e-6), 4, 1e-6)
+    body = HalfSpace(grid, BASE, layers=[Layer(2e-6, COAT)])
+    random = np.random.default_rng(2)
+    strain = random.random((6, *grid.shape)) - 0.5
+    strain[2] = -strain[0] - strain[1]
+    pressure = random.random(grid.surface.shape)
+    stress = body.pressure_to_stress(pressure)
+    weights = np.array([1, 1, 1, 2, 2, 2]).reshape(-1, 1, 1, 1)
+    work = np.vdot(stress, weights * strain) * grid.dz
+    assert np.vdot(pressure, body.eigenstrain_to_displacement(strain)) == pytest.approx(work, rel=1e-9)
+    # The coating is as much stiffer as its modulus is larger.
+    held, alone = body.eigenstrain_to_stress(strain), HalfSpace(grid, BASE).eigenstrain_to_stress(strain)
+    assert np.abs(held[:, 0]).max() > 1.5 * np.abs(alone[:, 0]).max()
+    assert np.abs(held[:, 3]).max() < 1.5 * np.abs(alone[:, 3]).max()
+
+
 def test_what_layers_cannot_do_is_refused():
-    layers = [Layer(2e-6, COAT)]
-    grid = VolumeGrid(SurfaceGrid(4, 4, 1e-6, 1e-6), 2, 1e-6)
-    body = HalfSpace(grid, BASE, layers=layers)
+    grid = VolumeGrid(SurfaceGrid(4, 4, 1e-6, 1e-6), 3, 0.9e-6)
+    body = HalfSpace(grid, BASE, layers=[Layer(2e-6, COAT)])
     strain = np.zeros((6, *grid.shape))
+    strain[3, 0, 0, 0] = 1e-3
     for call in (body.eigenstrain_to_stress, body.eigenstrain_to_displacement):
-        with pytest.raises(InputError, match="body with layers"):
+        with pytest.raises(InputError, match="for example 1e-06 m thick"):
             call(strain)
     for thickness in (0.0, -1e-6, math.inf):
         with pytest.raises(InputError, match="thickness"):

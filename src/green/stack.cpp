@@ -29,6 +29,19 @@ std::size_t ElasticStack::layer_at(double depth) const
   return layer;
 }
 
+ElasticStack ElasticStack::merged() const
+{
+  ElasticStack result{{}, substrate};
+  for (const ElasticLayer& layer : layers)
+    if (!result.layers.empty() && result.layers.back().elastic == layer.elastic)
+      result.layers.back().thickness += layer.thickness;
+    else
+      result.layers.push_back(layer);
+  if (!result.layers.empty() && result.layers.back().elastic == substrate)
+    result.layers.pop_back();
+  return result;
+}
+
 namespace green
 {
 

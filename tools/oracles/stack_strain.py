@@ -3,8 +3,8 @@
 
 Writes tests/data/stack_strain_oracle.csv.  Run:  python tools/oracles/stack_strain.py
 Needs mpmath. The layer with the strain is cut at the ends of the strain. Within the strained part, a displacement
-that does not vary with depth balances the forces of the strain; the waves of all parts, cosh and sinh of the depth as in
-stack.py, make displacement and traction continuous and the surface free. Neither sheets of strain nor reflections of
+that does not vary with depth balances the forces of the strain; the waves of all parts, cosh and sinh of the depth as
+in stack.py, make displacement and traction continuous and the surface free. Neither sheets of strain nor reflections of
 brinell are used.
 """
 

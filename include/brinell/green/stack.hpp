@@ -37,6 +37,8 @@ struct ElasticStack
     return layer < layers.size() ? layers[layer].elastic : substrate;
   }
   [[nodiscard]] const Elastic& at(double depth) const { return of_layer(layer_at(depth)); }
+  /// The body with as few layers as possible: neighbours of equal constants are one.
+  [[nodiscard]] ElasticStack merged() const;
   bool operator==(const ElasticStack&) const = default;
 };
 

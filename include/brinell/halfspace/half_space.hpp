@@ -18,6 +18,11 @@
 namespace brinell::halfspace
 {
 
+/// Whether the layers of cells end at all interfaces of a layered body within the grid, as plastic strain needs.
+[[nodiscard]] bool is_aligned(const VolumeGrid& grid, const ElasticStack& stack);
+/// @throws InputError with a thickness that would do, unless `is_aligned`
+void require_aligned(const VolumeGrid& grid, const ElasticStack& stack);
+
 /// One elastic body with its surface load and its plastic strain.
 ///
 /// The stress of an increment is computed in two steps, because the load on the surface depends on the residual displacement
@@ -37,9 +42,11 @@ public:
   /// Operators on some columns of a longer grid `whole` with the same rows: as close to the operators on the whole grid as the
   /// shorter transforms allow (docs/theory/elastoplastic.md, windows).
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole, Ranks ranks = nullptr);
-  /// A layered body, for loads on its surface. The stress in cells that an interface cuts is the mean of both layers. Strain in
-  /// layered bodies is not supported: `load` throws InternalError unless the strain is zero.
-  HalfSpace(const VolumeGrid& grid, const ElasticStack& stack);
+  /// A layered body (docs/theory/stacks.md). The stress of a load in cells that an interface cuts is the mean of both layers. With
+  /// plastic strain no interface may cut cells: otherwise `load` throws InputError, see `require_aligned`. Neighbouring layers with equal
+  /// constants are one.
+  HalfSpace(const VolumeGrid& grid, const ElasticStack& stack, Ranks ranks = nullptr);
+  HalfSpace(const VolumeGrid& grid, const ElasticStack& stack, const SurfaceGrid& whole, Ranks ranks = nullptr);
   ~HalfSpace();
   HalfSpace(HalfSpace&&) noexcept;
   HalfSpace& operator=(HalfSpace&&) noexcept;
@@ -57,6 +64,9 @@ public:
   [[nodiscard]] const VolumeGrid& grid() const;
   /// Constants of the substrate.
   [[nodiscard]] const Elastic& elastic() const;
+  /// Constants of the material of a layer of cells: that in the middle of the layer.
+  [[nodiscard]] const Elastic& elastic_of(int layer) const;
+  [[nodiscard]] const ElasticStack& stack() const;
   [[nodiscard]] const Communicator& ranks() const { return *shared_ranks(); }
   [[nodiscard]] const Ranks& shared_ranks() const;
   [[nodiscard]] const Share& share() const;

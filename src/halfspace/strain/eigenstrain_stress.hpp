@@ -5,7 +5,7 @@
 #include "brinell/green/elastic.hpp"
 #include "foundation/blocked_fft.hpp"
 #include "foundation/lane_functions.hpp"
-#include "green/sheet_waves.hpp"
+#include "layer_waves.hpp"
 
 #include <array>
 
@@ -38,16 +38,10 @@ public:
   /// @param shortest  fraction of the couplings of even order through the shears that is retained for the shortest wave along x:
   ///                  0 for a whole grid; for parts of larger grids see HalfSpace.
   EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft, double shortest = 0.0);
-  ~EigenstrainStress();
   EigenstrainStress(const EigenstrainStress&) = delete;
   EigenstrainStress& operator=(const EigenstrainStress&) = delete;
 
-  /// Values of a layer that `apply` stores in its upward pass for its downward pass.
-  struct Layer
-  {
-    green::SheetStrain<ComplexLanes> strain;
-    ComplexLanes below_ll, below_zz, below_lz, below_lt; ///< stress of the layers below
-  };
+  using Layer = layer_waves::Layer;     ///< stored by the upward pass of `apply` for its downward pass
   using Scratch = AlignedVector<Layer>; ///< [layer][row]
   [[nodiscard]] Scratch make_scratch() const
   {
@@ -63,18 +57,11 @@ public:
     int layers;                 ///< layers [0, layers) are written
     ComplexLanes* trace;        ///< nullptr, or [layer][pitch] for the trace of the stress [Pa]
   };
-  /// Non-local part of the residual stress at some rows of one block (the caller adds `local_stress` in real space).
+  /// Non-local part of the residual stress at some rows of one block (the caller adds `layer_waves::add_local` in real space).
   void apply(int block, const SpectrumRows& rows, const Spectra& spectra, Scratch& scratch) const;
 
-  /// Local stress [Pa]: a uniform, unbounded layer held in its plane (plane stress across it). Adds one component of
-  /// its deviator, or for component 5 its trace, over `cells` cells.
-  /// @param strain  components of the strain of the same cells.
-  void add_local(int component, const std::array<const double*, Deviator::size>& strain, std::size_t cells,
-                 double* stress) const;
-
-  struct Factors; ///< of one block of wavenumbers
-
 private:
+  using Factors = layer_waves::Factors;
   struct Tile;
   void go_through(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const;
   void go_up(const SpectrumRows& rows, const Spectra& spectra, Tile& tile, Scratch& scratch) const;

@@ -21,8 +21,8 @@ HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, Ranks ranks
 {
 }
 
-HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack)
-    : operators_(std::make_unique<Operators>(grid, stack, 0.0, nullptr))
+HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack, Ranks ranks)
+    : operators_(std::make_unique<Operators>(grid, stack, 0.0, std::move(ranks)))
 {
   require_resolved(grid.surface, stack);
 }
@@ -47,6 +47,12 @@ HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const Surfa
 {
 }
 
+HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack, const SurfaceGrid& whole, Ranks ranks)
+    : operators_(std::make_unique<Operators>(grid, stack, shortest_of_part(grid.surface, whole), std::move(ranks)))
+{
+  require_resolved(grid.surface, stack);
+}
+
 HalfSpace::~HalfSpace() = default;
 HalfSpace::HalfSpace(HalfSpace&&) noexcept = default;
 HalfSpace& HalfSpace::operator=(HalfSpace&&) noexcept = default;
@@ -59,6 +65,16 @@ const VolumeGrid& HalfSpace::grid() const
 const Elastic& HalfSpace::elastic() const
 {
   return operators_->stack.substrate;
+}
+
+const Elastic& HalfSpace::elastic_of(int layer) const
+{
+  return operators_->stack.at((layer + 0.5) * grid().dz);
+}
+
+const ElasticStack& HalfSpace::stack() const
+{
+  return operators_->stack;
 }
 
 const HalfSpace::Ranks& HalfSpace::shared_ranks() const

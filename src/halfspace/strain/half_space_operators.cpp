@@ -30,22 +30,41 @@ int parts_for(int layers)
 } // namespace
 
 HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by)
-    : grid(volume), stack(constants), ranks(by ? std::move(by) : std::make_shared<const Communicator>()),
+    : grid(volume), stack(constants.merged()), ranks(by ? std::move(by) : std::make_shared<const Communicator>()),
       share(ranks->rank(), ranks->size()), own{volume.surface, share.count(volume.nz), volume.dz},
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
       volume_fft(volume.surface, surface_fft.px(), surface_fft.py(), Deviator::size * volume.nz),
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       own_mirrored_fft(own, surface_fft.px(), surface_fft.py()), blocks(share.blocks(surface_fft.blocks())),
-      eigenstrain_stress(volume, constants.top(), surface_fft, shortest),
-      image_correction(volume, constants.top(), surface_fft)
+      image_correction(volume, stack, surface_fft)
 {
+  if (stack.is_homogeneous())
+    eigenstrain_stress.emplace(volume, stack.substrate, surface_fft, shortest);
+  else if (is_aligned(volume, stack))
+    stack_stress.emplace(volume, stack, surface_fft, shortest);
   if (share.is_all())
     return;
   const Exchange largest = is_mirrored() ? exchange_mirrored(grid.nz) : exchange(volume_fft, grid.nz);
   const Exchange of_trace = exchange(trace_fft, grid.nz);
   passing.of_planes.resize(std::max(largest.size_of_planes(), of_trace.size_of_planes()));
   passing.of_blocks.resize(std::max(largest.size_of_blocks(), of_trace.size_of_blocks()));
+}
+
+void HalfSpace::Operators::apply_to_strain(int block, const SpectrumRows& rows,
+                                           const EigenstrainStress::Spectra& spectra,
+                                           Work::Buffers::Scratch& scratch) const
+{
+  if (eigenstrain_stress)
+    eigenstrain_stress->apply(block, rows, spectra, scratch.layers);
+  else if (stack_stress)
+    stack_stress->apply(block, rows, spectra, scratch.stack);
+  else // without strain
+    for (int plane = 0; plane < Deviator::size * spectra.layers; ++plane)
+      std::fill_n(spectra.stress + plane * volume_fft.pitch() + rows.first, rows.count, ComplexLanes{});
+  if (!eigenstrain_stress && !stack_stress && spectra.trace != nullptr)
+    for (int layer = 0; layer < spectra.layers; ++layer)
+      std::fill_n(spectra.trace + layer * volume_fft.pitch() + rows.first, rows.count, ComplexLanes{});
 }
 
 OfTraction<const TractionStress*> HalfSpace::Operators::kernels_of(const OfTraction<bool>& wanted) const
@@ -63,7 +82,9 @@ std::unique_ptr<HalfSpace::Work::Buffers> HalfSpace::Operators::make_buffers(boo
   const auto own_blocks = static_cast<std::size_t>(blocks.count());
   auto work = std::make_unique<Work::Buffers>();
   for (int thread = 0; thread < omp_get_max_threads(); ++thread)
-    work->threads.push_back({volume_fft.make_scratch(), eigenstrain_stress.make_scratch(),
+    work->threads.push_back({volume_fft.make_scratch(),
+                             eigenstrain_stress ? eigenstrain_stress->make_scratch() : EigenstrainStress::Scratch{},
+                             stack_stress ? stack_stress->make_scratch() : StackStress::Scratch{},
                              AlignedVector<ComplexLanes>(surface_fft.rows_size()), mirrored_fft.make_scratch()});
   work->blocks_at_a_time = blocks_at_a_time(blocks.count(), static_cast<int>(work->threads.size()));
   if (!of_guest)
@@ -108,8 +129,8 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
     throw InternalError(
         "HalfSpace::load: the buffers of the strain are too small; were they lent to another half space?");
   const int strained = strained_layers(plastic_strain);
-  if (strained > 0 && !stack.is_homogeneous())
-    throw InternalError("HalfSpace::load: strain in layered bodies is not supported");
+  if (strained > 0)
+    require_aligned(grid, stack);
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.has_trace = false;
@@ -232,7 +253,7 @@ void HalfSpace::Operators::process_waves(int block, int strained, const OfTracti
     for (const SpectrumRows& tile : {stored, is_mirrored() ? SpectrumRows{} : mirrored(stored)})
     {
       if (work.layers > 0)
-        eigenstrain_stress.apply(block, tile, spectra, scratch.layers);
+        apply_to_strain(block, tile, spectra, scratch);
       sum_displacement(block, tile, parts_for(strained), kernels, work);
     }
   }
@@ -369,7 +390,8 @@ void HalfSpace::Operators::finish(int component, int layer, std::span<const doub
   const std::size_t begin = grid.surface.index(0, rows.first_y);
   for (int c = 0; c < Deviator::size; ++c)
     strain[static_cast<std::size_t>(c)] = plastic_strain.data() + field_at(c, layer) + begin;
-  eigenstrain_stress.add_local(component, strain, grid.surface.index(0, rows.end_y) - begin, field + begin);
+  layer_waves::add_local(stack.at((layer + 0.5) * grid.dz), component, strain,
+                         grid.surface.index(0, rows.end_y) - begin, field + begin);
   image_correction.subtract(work.images, component, layer, field);
 }
 

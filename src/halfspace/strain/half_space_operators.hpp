@@ -10,8 +10,10 @@
 #include "halfspace/transform/exchange.hpp"
 #include "halfspace/transform/mirrored_fft.hpp"
 #include "image_correction.hpp"
+#include "stack_stress.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,7 @@ struct HalfSpace::Work::Buffers
   {
     BlockedFft::Scratch fft;
     EigenstrainStress::Scratch layers;
+    StackStress::Scratch stack;
     AlignedVector<ComplexLanes> rows; ///< of one plane
     MirroredFft::Scratch mirrored;
   };
@@ -83,9 +86,10 @@ struct HalfSpace::Operators
   BlockedFft volume_fft;  ///< of a deviator field; on a mirrored grid `mirrored_fft` takes its place
   BlockedFft trace_fft;   ///< of a scalar field
   MirroredFft mirrored_fft;
-  MirroredFft own_mirrored_fft; ///< of the own layers
-  Portion blocks;               ///< own ones
-  EigenstrainStress eigenstrain_stress;
+  MirroredFft own_mirrored_fft;                        ///< of the own layers
+  Portion blocks;                                      ///< own ones
+  std::optional<EigenstrainStress> eigenstrain_stress; ///< of a homogeneous body
+  std::optional<StackStress> stack_stress; ///< of a layered body whose interfaces are boundaries of the layers of cells
   ImageCorrection image_correction;
   /// Rows on their way between ranks, see Exchange. Ranks pass one thing at a time, so that bodies which share the operators share
   /// these buffers, too.
@@ -121,6 +125,9 @@ struct HalfSpace::Operators
                     double* field) const;
   void finish(int component, int layer, std::span<const double> plastic_strain, const Work::Buffers& work,
               double* field) const;
+  /// Stress of the strain in the spectra at some rows of one block, without its local part.
+  void apply_to_strain(int block, const SpectrumRows& rows, const EigenstrainStress::Spectra& spectra,
+                       Work::Buffers::Scratch& scratch) const;
   [[nodiscard]] bool is_mirrored() const { return grid.surface.is_mirrored_y; }
   /// Writes the other rows of a field whose independent rows are known.
   void complete(bool is_odd, std::span<double> field) const

@@ -3,10 +3,13 @@
 
 #include "foundation/lane_functions.hpp"
 #include "green/sheet_stress.hpp"
+#include "stack_image_samples.hpp"
+#include "stack_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace brinell::halfspace::images
 {
@@ -124,9 +127,9 @@ std::vector<Lanes> sum_of_waves(std::span<const WaveRow> rows, const DepthPairs&
 /// Polynomials of z that resolve fields which vary over the length `distance`, on a grid of the given thickness. A field
 /// with its next singularity beside the interval of depth, at this distance, has Chebyshev coefficients that fall by
 /// s = t + sqrt(1 + t^2), t = 2 distance / thickness, from one to the next.
-int polynomials_in_depth(double thickness, double distance)
+/// @param fewest  more than one material have fewer each
+int polynomials_in_depth(double thickness, double distance, int fewest)
 {
-  constexpr int fewest = 5;
   constexpr int most = 16;
   const double t = 2.0 * distance / thickness;
   const double fall = std::log(t + std::sqrt(1.0 + t * t));
@@ -147,30 +150,67 @@ const std::array<double, offset_nodes>& offsets()
   return nodes;
 }
 
-DepthBasis::DepthBasis(const VolumeGrid& grid, double distance)
-    : count(polynomials_in_depth(grid.nz * grid.dz, distance)), means(grid.nz, count), from_nodes(count, count)
+namespace
 {
-  const double thickness = grid.nz * grid.dz;
-  for (int i = 0; i < count; ++i)
-    nodes.push_back(0.5 * thickness * (1.0 - std::cos((2 * i + 1) * pi / (2.0 * count))));
-  for (int q = 0; q < count; ++q)
+
+/// Mean of a Chebyshev polynomial over one of `layers` layers: int T_q = [T_{q+1} / (q + 1) - T_{q-1} / (q - 1)] / 2.
+double mean_over_layer(int q, int layer, int layers)
+{
+  const auto integral = [&](double t)
   {
-    // Discrete orthogonality.
-    for (int i = 0; i < count; ++i)
-      from_nodes(q, i) =
-          (q == 0 ? 1.0 : 2.0) / count * chebyshev(q, 2.0 * nodes[static_cast<std::size_t>(i)] / thickness - 1.0);
-    // Mean over a layer: int T_q = [T_{q+1} / (q + 1) - T_{q-1} / (q - 1)] / 2.
-    const auto integral = [&](double t)
+    if (q == 0)
+      return t;
+    if (q == 1)
+      return 0.5 * t * t;
+    return 0.5 * (chebyshev(q + 1, t) / (q + 1) - chebyshev(q - 1, t) / (q - 1));
+  };
+  return 0.5 * layers * (integral(2.0 * (layer + 1) / layers - 1.0) - integral(2.0 * layer / layers - 1.0));
+}
+
+/// The materials of a layered body; a homogeneous one is one material.
+std::vector<StackPart> materials(const VolumeGrid& grid, const ElasticStack& stack)
+{
+  if (stack.is_homogeneous())
+    return {{0, grid.nz, stack.substrate}};
+  return stack_parts(grid, stack);
+}
+
+std::vector<int> polynomials(const VolumeGrid& grid, const std::vector<StackPart>& parts, double distance)
+{
+  std::vector<int> counts;
+  for (const StackPart& part : parts)
+    counts.push_back(polynomials_in_depth((part.end - part.first) * grid.dz, distance, parts.size() == 1 ? 5 : 2));
+  return counts;
+}
+
+} // namespace
+
+DepthBasis::DepthBasis(const VolumeGrid& grid, const ElasticStack& stack, double distance)
+{
+  const std::vector<StackPart> parts = materials(grid, stack);
+  const std::vector<int> counts = polynomials(grid, parts, distance);
+  count = std::accumulate(counts.begin(), counts.end(), 0);
+  means = Matrix(grid.nz, count);
+  from_nodes = Matrix(count, count);
+  int begin = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    const auto& [first, end, elastic] = parts[p];
+    const int own = counts[p];
+    const double top = first * grid.dz, thickness = (end - first) * grid.dz;
+    for (int i = 0; i < own; ++i)
+      nodes.push_back(top + 0.5 * thickness * (1.0 - std::cos((2 * i + 1) * pi / (2.0 * own))));
+    for (int q = 0; q < own; ++q)
     {
-      if (q == 0)
-        return t;
-      if (q == 1)
-        return 0.5 * t * t;
-      return 0.5 * (chebyshev(q + 1, t) / (q + 1) - chebyshev(q - 1, t) / (q - 1));
-    };
-    for (int layer = 0; layer < grid.nz; ++layer)
-      means(layer, q) =
-          0.5 * grid.nz * (integral(2.0 * (layer + 1) / grid.nz - 1.0) - integral(2.0 * layer / grid.nz - 1.0));
+      // Discrete orthogonality.
+      for (int i = 0; i < own; ++i)
+        from_nodes(begin + q, begin + i) =
+            (q == 0 ? 1.0 : 2.0) / own *
+            chebyshev(q, 2.0 * (nodes[static_cast<std::size_t>(begin + i)] - top) / thickness - 1.0);
+      for (int layer = first; layer < end; ++layer)
+        means(layer, begin + q) = mean_over_layer(q, layer - first, end - first);
+    }
+    begin += own;
   }
 }
 
@@ -191,8 +231,11 @@ Phases phases(double k, double largest)
   return result;
 }
 
-std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths, const Elastic& elastic)
+std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths, const ElasticStack& stack)
 {
+  if (!stack.is_homogeneous())
+    return sampled_in_layers(rows, depths, stack);
+  const Elastic& elastic = stack.substrate;
   const std::size_t depth_pairs = depths.size() * depths.size();
   const std::size_t block = components * rows.front().waves.front().in_x[0].size() * rows.front().in_y[0].size();
   std::vector<double> value(depth_pairs * block);

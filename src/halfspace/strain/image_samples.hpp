@@ -3,7 +3,7 @@
 
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/foundation/grid.hpp"
-#include "brinell/green/elastic.hpp"
+#include "brinell/green/stack.hpp"
 #include "foundation/matrix.hpp"
 
 #include <array>
@@ -32,17 +32,19 @@ inline constexpr std::array<int, stresses> odd_in_y{0, 0, 1, 0, 1, 0};
 /// Distances divided by the largest one: positive zeros of a Chebyshev polynomial.
 [[nodiscard]] const std::array<double, offset_nodes>& offsets();
 
-/// Chebyshev polynomials of depth on a grid of layers.
+/// Chebyshev polynomials of depth on a grid of layers. In a layered body each material has its own, since the stress along the surface
+/// jumps at the interfaces.
 struct DepthBasis
 {
-  int count;                 ///< of polynomials, and of nodes
-  std::vector<double> nodes; ///< zeros of the first polynomial that is omitted, scaled to the thickness [m]
-  Matrix means;              ///< of the polynomials over the layers: [layer][polynomial]
-  Matrix from_nodes;         ///< matrix from values at the nodes to coefficients: [polynomial][node]
+  int count; ///< of polynomials, and of nodes
+  std::vector<double>
+      nodes;         ///< zeros of the first polynomial that is omitted, scaled to the thickness of the material [m]
+  Matrix means;      ///< of the polynomials over the layers: [layer][polynomial]
+  Matrix from_nodes; ///< matrix from values at the nodes to coefficients: [polynomial][node]
 
   /// @param distance  of the nearest image [m]: it is the length over which fields vary in depth, so grids that are thick
   ///                  compared with it need more polynomials.
-  DepthBasis(const VolumeGrid& grid, double distance);
+  DepthBasis(const VolumeGrid& grid, const ElasticStack& stack, double distance);
 };
 
 /// cos and sin of a wave's phase at the distances along one axis; a single 1 if the caller applies the phase itself.
@@ -71,7 +73,7 @@ inline constexpr double shortest = 7.0;
 
 /// Sum of the waves. @returns [depth of stress][depth of strain][strain][stress][distance in y][distance in x].
 [[nodiscard]] std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths,
-                                          const Elastic& elastic);
+                                          const ElasticStack& stack);
 
 /// Powers of the two distances, each divided by the largest one.
 using Powers = std::array<int, 2>;

@@ -19,10 +19,10 @@ namespace
 /// the wavevector.
 enum Part : std::size_t
 {
-  normal,
-  delta,
-  tensor,
-  coupling,
+  of_normal,
+  of_delta,
+  of_tensor,
+  of_coupling,
   part_count
 };
 using Parts = std::array<double, part_count>;
@@ -55,12 +55,12 @@ using Forms = std::array<double, 3>;
 
 SurfaceExcess in_axes(const Parts& p, double lx, double ly)
 {
-  return {p[normal],
-          p[delta] + lx * lx * p[tensor],
-          p[delta] + ly * ly * p[tensor],
-          lx * ly * p[tensor],
-          lx * p[coupling],
-          ly * p[coupling]};
+  return {p[of_normal],
+          p[of_delta] + lx * lx * p[of_tensor],
+          p[of_delta] + ly * ly * p[of_tensor],
+          lx * ly * p[of_tensor],
+          lx * p[of_coupling],
+          ly * p[of_coupling]};
 }
 
 /// The parts and their long waves.
@@ -84,7 +84,7 @@ struct Radial
       const LongWaves found = extrapolated({values[0][p], values[1][p], values[2][p], values[3][p]}, step);
       // A constant times components of the direction reaches as far as 1/r^2, k as far as 1/r^3. Without components of the direction
       // a constant does not reach beyond the cell.
-      if (p == normal || p == delta)
+      if (p == of_normal || p == of_delta)
       {
         forms[p][1] = -found.rising / depth;
         at_zero[p] = found.level - forms[p][1];
@@ -110,12 +110,12 @@ struct Radial
     const auto level = [&](Part p) { return forms[p][0] * t.level[0] + forms[p][1] * t.level[1]; };
     const auto times = [&](Part p, const std::array<double, 3>& of)
     { return forms[p][0] * of[0] + forms[p][1] * of[1] + forms[p][2] * of[2]; };
-    SurfaceExcess value{level(normal),
-                        level(delta) + times(tensor, t.xx),
-                        level(delta) + times(tensor, t.yy),
-                        times(tensor, t.xy),
-                        times(coupling, t.x),
-                        times(coupling, t.y)};
+    SurfaceExcess value{level(of_normal),
+                        level(of_delta) + times(of_tensor, t.xx),
+                        level(of_delta) + times(of_tensor, t.yy),
+                        times(of_tensor, t.xy),
+                        times(of_coupling, t.x),
+                        times(of_coupling, t.y)};
     for (double& v : value)
       v *= 0.5 * std::numbers::inv_pi;
     return value;
@@ -148,7 +148,7 @@ std::array<std::vector<double>, excess::count> summed_waves(const SurfaceGrid& g
                                        });
       if (i == 0 && row == 0)
         for (const auto t : {excess::zz, excess::xx, excess::yy})
-          sum[t] += radial.at_zero[t == excess::zz ? normal : delta];
+          sum[t] += radial.at_zero[t == excess::zz ? of_normal : of_delta];
       for (std::size_t t = 0; t < excess::count; ++t)
         spectra[t][static_cast<std::size_t>(row * fft.kx() + i)] =
             t == excess::x || t == excess::y ? Complex(0.0, sum[t]) : Complex(sum[t]);

@@ -59,8 +59,8 @@ Stacks layered(const ElasticStack& body1, const ElasticStack& body2)
 {
   Stacks stacks;
   for (const LayeredBody& body : {LayeredBody{body1, 1.0}, LayeredBody{body2, -1.0}})
-    if (!body.stack.is_homogeneous())
-      stacks.push_back(body);
+    if (const ElasticStack merged = body.stack.merged(); !merged.is_homogeneous())
+      stacks.push_back({merged, body.sign});
   return stacks;
 }
 
