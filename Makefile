@@ -58,12 +58,15 @@ test: .venv/.setup-done .venv/.extras-done build
 	exit $$status
 
 # What several processes compute together. Their program is one more in the same build tree, of the same objects as the other.
-test-mpi: build/release/build.ninja
+test-mpi: .venv/.setup-done .venv/.extras-done build/release/build.ninja
 	@tools/setup.sh mpi
 	@rm -f build/ctest-mpi.xml
 	flock build/release cmake --preset release -D BRINELL_MPI=ON >/dev/null
 	flock build/release cmake --build --preset release --parallel $(JOBS) --target brinell_mpi_tests
-	ctest --preset release --parallel $(JOBS) --label-regex mpi --no-tests=error --output-junit $(CURDIR)/build/ctest-mpi.xml
+	@status=0; \
+	ctest --preset release --parallel $(JOBS) --label-regex mpi --no-tests=error --output-junit $(CURDIR)/build/ctest-mpi.xml || status=1; \
+	$(python) -m pytest --quiet python/tests/test_ranks.py || status=1; \
+	exit $$status
 
 # Whole what .ci/run does in parts: all cases of random sweeps, the sanitizers on all tests, clang-tidy on all sources.
 test-all: export BRINELL_SWEEP = all

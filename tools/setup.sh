@@ -58,6 +58,11 @@ add_extras() {
   "${pip[@]}" 'brinell[test,lint]' || fail "pip could not install what the tests need. $mirror"
 }
 
+# Python's way to MPI, of which the package itself needs nothing.
+add_mpi4py() {
+  "${pip[@]}" 'brinell[mpi]' || fail "pip could not install mpi4py. $mirror"
+}
+
 # Of what ninja says the files done so far, in one line; nothing where nobody looks.
 show_progress() {
   if [[ ! -t 1 ]]; then cat >/dev/null; return; fi
@@ -70,7 +75,7 @@ case "${1:-}" in
   python) make_venv ;;
   extras) add_extras ;;
   test) install_packages "${test_packages[@]}" ;;
-  mpi) install_packages "${mpi_packages[@]}" ;;
+  mpi) install_packages "${mpi_packages[@]}"; add_mpi4py ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
   arm64) install_packages g++-aarch64-linux-gnu qemu-user ;;

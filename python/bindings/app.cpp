@@ -2,6 +2,7 @@
 #include "arrays.hpp"
 #include "module.hpp"
 #include "python_calls.hpp"
+#include "python_ranks.hpp"
 
 #include "brinell/command_line.hpp"
 #include "brinell/foundation/error.hpp"
@@ -62,20 +63,29 @@ std::string monitored(const nb::object& on_step, const nb::object& on_replaced,
     const nb::gil_scoped_release release;
     result = compute(monitor);
   }
-  catch (const Interrupted&) // by what Python raised
+  catch (const Interrupted&) // by what Python raised, here or in another process that computes with this one
   {
+    python.rethrow();
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    nb::raise_python_error();
   }
   python.rethrow();
   return result;
 }
 
 std::string run(const io::Case& c, const std::filesystem::path& folder, io::ResultDirectory::Mode mode, int threads,
-                const nb::object& on_step, const nb::object& on_replaced)
+                const nb::object& on_step, const nb::object& on_replaced, const nb::object& comm)
 {
-  const app::RunOptions options{folder, mode, threads};
+  const app::RunOptions options{folder, mode, threads, ranks_of(comm)};
   return monitored(on_step, on_replaced,
                    [&](const app::RunMonitor& monitor)
-                   { return app::run_case(c, io::plan_case(c), options, monitor).text; });
+                   {
+                     if (!options.ranks)
+                       return app::run_case(c, io::plan_case(c), options, monitor).text;
+                     app::require_shareable(c, *options.ranks);
+                     const io::ScenarioPlan plan = io::plan_case(c, app::memory_of_machines(*options.ranks));
+                     return app::run_case(c, plan, options, monitor).text;
+                   });
 }
 
 /// The bytes of a result file.
@@ -251,7 +261,8 @@ void bind_app(nb::module_& m)
       .def("check_report", [](const io::Case& c) { return io::printable(io::check_report(c, io::plan_case(c))); })
       .def("workload", &workload)
       .def_prop_ro("forecast", [](const io::Case& c) { return io::forecast(c, io::plan_case(c)); })
-      .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none())
+      .def("run", &run, "folder"_a, "mode"_a, "threads"_a, "on_step"_a.none(), "on_replaced"_a.none(),
+           "comm"_a.none() = nb::none())
       .def("run_in_memory", &run_in_memory, "threads"_a, "on_step"_a.none());
   m.def(
       "parse_case",

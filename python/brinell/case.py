@@ -29,6 +29,8 @@ with warnings.catch_warnings():  # in a notebook without ipywidgets tqdm warns a
 if TYPE_CHECKING:
     from typing import Self
 
+    from mpi4py import MPI
+
     from brinell.results import Run, RunWarning
 
 __all__ = ["Case", "CaseWarning", "HeightMaps", "Progress", "ReplacementWarning", "ResolutionWarning"]
@@ -244,6 +246,7 @@ class Case:
         replace: bool | None = None,
         accuracy: float | str | None = None,
         in_memory: bool = False,
+        comm: MPI.Comm | None = None,
     ) -> Run:
         """Computes the case. Warnings about the result are issued as `ResolutionWarning` and stored in `Run.warnings`.
 
@@ -264,14 +267,19 @@ class Case:
                 number.
             in_memory: write nothing to disk, for loops of small runs. The result is lost with the returned object, and
                 a run that does not finish leaves no result.
+            comm: processes of mpi4py that compute this case together, each with a part of the bodies
+                (docs/howto/ranks.md); None: this process alone. All call `run` with the same case and the same
+                arguments. The first one writes the folder, issues the warnings and shows the progress or calls
+                `progress`; an error, or Ctrl-C, of one is raised by all. All return the same results, which each of
+                them reads from the folder.
 
         Returns:
             The results; with `accuracy`, those of the finest cells.
 
         Raises:
             InputError: a grid does not fit or turned out to be too small, the folder to resume holds another case, the
-                folder holds a result that is to be kept, in_memory is combined with output, resume or accuracy, or
-                replace with resume or without a folder.
+                folder holds a result that is to be kept, in_memory is combined with output, resume or accuracy,
+                replace with resume or without a folder, or comm with in_memory or accuracy or without a folder.
             ConvergenceError: a step did not converge; the steps before are in the folder.
             IoError: the results cannot be written.
         """
@@ -285,6 +293,13 @@ class Case:
             raise InputError(
                 f"run(replace={replace}) has no effect {where}; allowed: with a folder in which a run begins"
             )
+        if comm is not None and comm.Get_size() > 1:
+            if output is None or accuracy is not None:
+                rival = "accuracy" if accuracy is not None else "in_memory" if in_memory else "no folder"
+                raise InputError(
+                    f"run(comm=...) of several processes cannot stand together with {rival}; allowed: a folder"
+                )
+            return self._run_together(comm, Path(output), progress, threads, resume, replace)
         if accuracy is not None:
             case = self.with_values({"solver.accuracy": accuracy})
             return case.run(output, progress=progress, threads=threads, resume=resume, replace=replace)
@@ -304,6 +319,30 @@ class Case:
             return self._with_warnings_issued(open_run(output), told)
         mode = _core.Mode.resume if resume else _core.Mode.replace
         return self._with_warnings_issued(self._run_in_temporary_folder(progress, threads, mode), told)
+
+    def _run_together(
+        self,
+        comm: MPI.Comm,
+        folder: Path,
+        progress: bool | Progress | None,
+        threads: int | None,
+        resume: bool,
+        replace: bool | None,
+    ) -> Run:
+        """Computes the case as one of several processes, of which the first one speaks and writes."""
+        from brinell._ranks import done_together
+        from brinell.results.opening import open_run
+
+        is_first = comm.Get_rank() == 0
+        mode = _core.Mode.resume if resume else _core.Mode.keep if replace is False else _core.Mode.replace
+        told = [text for key, text in self._core.result_warnings if key == "large_result"]
+        for text in told if is_first else ():
+            warnings.warn(text, ResolutionWarning, stacklevel=level_of_caller())
+        shown = progress if is_first else False
+        warns = replace is None and is_first
+        done_together(comm, lambda own: self._compute(folder, shown, threads, mode, warns, own))
+        run = open_run(folder)
+        return self._with_warnings_issued(run, told) if is_first else run
 
     def _run_in_temporary_folder(self, progress: bool | Progress | None, threads: int | None, mode: _core.Mode) -> Run:
         """Runs the case in a temporary folder, deleted together with the result; finished steps survive Ctrl-C."""
@@ -345,7 +384,13 @@ class Case:
         return run
 
     def _compute(
-        self, folder: Path, progress: bool | Progress | None, threads: int | None, mode: _core.Mode, warns: bool = False
+        self,
+        folder: Path,
+        progress: bool | Progress | None,
+        threads: int | None,
+        mode: _core.Mode,
+        warns: bool = False,
+        comm: MPI.Comm | None = None,
     ) -> None:
         from brinell.results.opening import kept_results
 
@@ -354,7 +399,7 @@ class Case:
             warnings.warn(text, ReplacementWarning, stacklevel=level_of_caller())
 
         def run(on_step: Progress | None) -> str:
-            return self._core.run(folder, mode, _thread_count(threads), on_step, on_replaced if warns else None)
+            return self._core.run(folder, mode, _thread_count(threads), on_step, on_replaced if warns else None, comm)
 
         try:
             self._with_progress(progress, run)
