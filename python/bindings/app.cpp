@@ -82,7 +82,7 @@ std::string run(const io::Case& c, const std::filesystem::path& folder, io::Resu
                    {
                      if (!options.ranks)
                        return app::run_case(c, io::plan_case(c), options, monitor).text;
-                     app::require_shareable(c, *options.ranks);
+                     app::require_shareable(c, options.ranks->size());
                      const io::ScenarioPlan plan = io::plan_case(c, app::memory_of_machines(*options.ranks));
                      return app::run_case(c, plan, options, monitor).text;
                    });

@@ -37,7 +37,7 @@ using ScenarioPlan = simulation::AnyPlan;
 /// of the result. The whole output is again a case file.
 [[nodiscard]] std::string check_report(const Case& c, const ScenarioPlan& plan);
 
-/// What several ranks need that share a case, as comments of the resolved case: layers, memory, traffic and least time of a rank.
+/// Needs of several ranks that share a case, as comments of the resolved case: layers, memory, traffic and least time of a rank.
 /// @param machines          over which the ranks are spread evenly
 /// @param available_memory  of a machine [bytes]
 /// @throws InputError if they need more than there is
