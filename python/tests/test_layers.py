@@ -64,10 +64,9 @@ def test_pressure_and_shear_on_layers_are_reciprocal():
     by_shear = pair.displacement(shear_x=shear)[2]
     by_pressure = pair.displacement(pressure=pressure)
     assert np.vdot(pressure, by_shear) == pytest.approx(np.vdot(shear, by_pressure[0]), rel=1e-9)
-    # Alone, the pressure takes a shorter way.
-    np.testing.assert_allclose(
-        by_pressure[2], pair.pressure_to_displacement(pressure), rtol=0, atol=1e-9 * by_pressure[2].max()
-    )
+    # Alone, the pressure takes a shorter way, on another lattice of waves, whose images are below 1e-4.
+    alone = pair.pressure_to_displacement(pressure)
+    np.testing.assert_allclose(by_pressure[2], alone, rtol=0, atol=1e-4 * alone.max())
 
 
 def test_plastic_strain_in_layers_and_the_load_on_them_are_reciprocal():

@@ -140,7 +140,7 @@ def test_a_cluster_without_jobs_is_an_error() -> None:
 
 
 def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("brinell.sweeps.clusters._PATIENCE", 0.0)
+    monkeypatch.setitem(DaskPool.losses.__globals__, "_PATIENCE", 0.0)
     with distributed.LocalCluster(n_workers=0, dashboard_address=None) as cluster:
         pool = DaskPool(cluster, tmp_path, 1)
         assert pool.losses() == [

@@ -33,7 +33,7 @@ std::string case_text(std::size_t number)
       "scenario = \"rolling\"\n[rolling]\nload = \"20 N\"\ndistance = \"0.3 mm\"\nload_steps = 3\ncreepage = [0.004, "
       "0.001]\nspeed = \"5 m/s\"\n"
       "[interface]\nfriction = 0.3\n[grid]\nresolution = 3\n",
-      "scenario = \"indentation\"\n[indentation]\nload = [\"60 N\", 0]\nsteps = 300\n[grid]\nresolution = 4\n"};
+      "scenario = \"indentation\"\n[indentation]\nload = [\"60 N\", 0]\nsteps = 600\n[grid]\nresolution = 4\n"};
   return scenarios[number] + "[lower]\nshape = " + (number == 1 ? ball : flat) + "\nmaterial = " + steel +
          "\n[upper]\nshape = " + ball + "\nmaterial = " + steel +
          "\n[output]\nsnapshots = \"every 8\"\ncheckpoint_interval = 0\n";

@@ -178,6 +178,7 @@ std::vector<StackPart> materials(const VolumeGrid& grid, const ElasticStack& sta
 std::vector<int> polynomials(const VolumeGrid& grid, const std::vector<StackPart>& parts, double distance)
 {
   std::vector<int> counts;
+  counts.reserve(parts.size());
   for (const StackPart& part : parts)
     counts.push_back(polynomials_in_depth((part.end - part.first) * grid.dz, distance, parts.size() == 1 ? 5 : 2));
   return counts;

@@ -40,7 +40,7 @@ private:
   void tabulate_waves(const PaddedFft& padded);
   void tabulate_excess(const PaddedFft& padded, double reference, const std::vector<LayeredBody>& layered);
   [[nodiscard]] Product::Values displaced(const Terms& term, int row, const Product::Values& load) const;
-  void add_excess(const Excess& excess, int row, const Product::Values& load, Product::Values& displacement) const;
+  void add_excess(const Excess& more, int row, const Product::Values& load, Product::Values& displacement) const;
 
   green::PairConstants constants_;
   Product product_;
