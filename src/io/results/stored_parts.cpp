@@ -17,7 +17,6 @@ namespace
 using simulation::BodySnapshot;
 using simulation::Snapshot;
 using simulation::StepFields;
-using simulation::TensorField;
 
 const Snapshot no_bodies; ///< for the table of fields
 
