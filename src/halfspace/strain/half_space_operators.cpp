@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <omp.h>
 #include <utility>
 
@@ -130,7 +131,14 @@ void HalfSpace::Operators::load_strain(std::span<const double> plastic_strain, i
         "HalfSpace::load: the buffers of the strain are too small; were they lent to another half space?");
   const int strained = strained_layers(plastic_strain);
   if (strained > 0)
+  {
     require_aligned(grid, stack);
+    if (stack.at((strained - 0.5) * grid.dz).is_rigid())
+      throw InputError(
+          fmt::format("layer {} of the cells has plastic strain but lies in the rigid base; allowed: strain in "
+                      "the elastic layers",
+                      strained));
+  }
   const auto kernels = kernels_of({true, displacements != Displacements::normal, displacements == Displacements::all});
   work.layers = layers;
   work.has_trace = false;

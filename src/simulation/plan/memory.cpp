@@ -241,13 +241,13 @@ double bytes_sent_by_rank(const Plan& plan, int ranks)
   {
     if (plan.surfaces_only || (plan.twin != elastoplastic::Twin::none && grid == &plan.upper))
       continue;
-    // Five components of strain there, five of stress back, of the own layers; a complex number per wavenumber and row.
-    constexpr double components = 10.0, bytes_of_number = 16.0;
+    // Five components of strain of the own layers, and of stress in the own blocks; a complex number per wavenumber and row.
+    constexpr double components = 5.0, bytes_of_number = 16.0;
     const int wavenumbers = padded_lengths(grid->surface).x / 2 + 1;
     const int blocks = (wavenumbers + lane_count - 1) / lane_count;
-    const int elsewhere = blocks - Share(0, ranks).blocks(blocks).count();
-    bytes += components * bytes_of_number * Share(0, ranks).count(grid->nz) * grid->surface.independent_rows() *
-             elsewhere * lane_count;
+    const int own_blocks = Share(0, ranks).blocks(blocks).count(), own_layers = Share(0, ranks).count(grid->nz);
+    const double passed = 1.0 * own_layers * (blocks - own_blocks) + 1.0 * own_blocks * (grid->nz - own_layers);
+    bytes += components * bytes_of_number * grid->surface.independent_rows() * lane_count * passed;
   }
   return bytes;
 }

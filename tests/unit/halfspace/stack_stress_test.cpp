@@ -308,5 +308,17 @@ TEST(StackStress, InterfacesWithinCellsAreRefused)
   EXPECT_THROW((void)body.load(strain, grid.nz, work), InputError);
 }
 
+TEST(StackStress, StrainInARigidBaseIsRefused)
+{
+  const VolumeGrid grid{{4, 4, 0.5, 0.5}, 8, 0.5};
+  const HalfSpace body(grid, on_rigid); // the base begins under the sixth layer
+  HalfSpace::Work work = body.make_work();
+  std::vector<double> strain(Deviator::size * grid.size());
+  strain[grid.index(0, 0, 5)] = 1e-3;
+  EXPECT_NO_THROW((void)body.load(strain, grid.nz, work));
+  strain[grid.index(0, 0, 6)] = 1e-3;
+  EXPECT_THROW((void)body.load(strain, grid.nz, work), InputError);
+}
+
 } // namespace
 } // namespace brinell::halfspace::stack_stress_test
