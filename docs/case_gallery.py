@@ -42,6 +42,7 @@ PICTURES: Mapping[str, Draw] = {
     "fretting-sphere": plot.force_loops,
     "fretting-wear": plot.worn_profiles,
     "indentation": _LOADED,
+    "indentation-coated": _RESIDUAL,
     "indentation-sphere": plot.load_depth,
     "indentation-vickers": _RESIDUAL,
     "rolling": _RESIDUAL,

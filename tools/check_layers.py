@@ -64,7 +64,7 @@ ROOM_OF_HEADER = {
 
 # Single headers, where a floor may use some of another floor but not all: elastic constants, but no kernels.
 ONLY_HEADERS = {
-    ("constitutive", "green"): {"elastic.hpp", "thermal.hpp"},
+    ("constitutive", "green"): {"elastic.hpp", "elastic_stack.hpp", "thermal.hpp"},
     ("reference", "green"): {"elastic.hpp"},
 }
 

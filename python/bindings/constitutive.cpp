@@ -25,9 +25,9 @@ using constitutive::Material;
 
 const constitutive::HardeningLaw& law_of(const Material& material)
 {
-  if (!material.hardening)
+  if (!material.is_plastic())
     throw InputError("the material has no hardening law: it does not yield");
-  return *material.hardening;
+  return material.law();
 }
 
 std::span<const double> strains(const Input& array, std::size_t n)

@@ -37,7 +37,7 @@ double yield_stress_of_surfaces(const Facts& facts, const std::array<double, 2>*
     const constitutive::Material& material = *facts.materials[side];
     if (!material.is_plastic())
       continue;
-    double yield = material.yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(*material.hardening);
+    double yield = material.yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(material.law());
     if (hottest != nullptr && material.softening)
       yield *= constitutive::softening_factor(*material.softening, (*hottest)[side]);
     least = std::min(least, yield);
@@ -179,7 +179,7 @@ std::optional<double> layers_of_hot_skin(const Facts& facts, const constitutive:
     return std::nullopt;
   const double stress =
       material.elastic.young_modulus * material.thermal->expansion * rise / (1.0 - material.elastic.poisson_ratio);
-  if (stress < share_of_yield * constitutive::initial_yield_stress(*material.hardening))
+  if (stress < share_of_yield * constitutive::initial_yield_stress(material.law()))
     return std::nullopt;
   return std::sqrt(4.0 * material.thermal->diffusivity() * *facts.heating_time) / facts.cell[2];
 }

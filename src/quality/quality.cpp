@@ -108,7 +108,7 @@ public:
       const constitutive::Material& material = *f_.materials[side];
       if (!material.is_plastic())
         continue;
-      const double yield = constitutive::initial_yield_stress(*material.hardening);
+      const double yield = constitutive::initial_yield_stress(material.law());
       const bool is_lost = is_lost_in_layers(material.yield_factor, 1.0, part_of_profile) ||
                            is_lost_in_layers(material.initial_stress, 0.0, part_of_profile * yield);
       if (is_lost)
@@ -116,6 +116,23 @@ public:
                                           "thinner than the layers of cells, {}, and contains no centre of a cell: "
                                           "part of the profile is lost; use thinner cells (grid.spacing)",
                                           side == 0 ? "lower" : "upper", length_text(f_.cell[2])));
+    }
+  }
+
+  /// Warns of coats that few layers of cells resolve: the expected errors are those of homogeneous bodies.
+  void of_coats()
+  {
+    constexpr double least_cells = 4.0;
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      const constitutive::Material& material = *f_.materials[side];
+      for (std::size_t coat = 0; coat < material.layers.size() && material.is_plastic(); ++coat)
+        if (const double cells = material.layers[coat].thickness / f_.cell[2]; cells < 0.999 * least_cells)
+          add("coarse_coat",
+              fmt::format("layer {} of the {} body is {} thick, {:.2g} layers of cells; its plastic strain "
+                          "is coarse with less than {:g}: use thinner cells (grid.resolution)",
+                          coat, side == 0 ? "lower" : "upper", length_text(material.layers[coat].thickness), cells,
+                          least_cells));
     }
   }
 
@@ -291,6 +308,7 @@ Quality quality_before(const Facts& f)
     for (Warning& warning : *warnings)
       judge.add(std::move(warning));
   judge.of_profiles();
+  judge.of_coats();
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();
@@ -321,6 +339,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   for (Warning& warning : of_textures)
     judge.add(std::move(warning));
   judge.of_profiles();
+  judge.of_coats();
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();

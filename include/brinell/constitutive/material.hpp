@@ -5,9 +5,10 @@
 #include "brinell/constitutive/hardening.hpp"
 #include "brinell/constitutive/kinematic.hpp"
 #include "brinell/constitutive/softening.hpp"
-#include "brinell/green/elastic.hpp"
+#include "brinell/green/elastic_stack.hpp"
 #include "brinell/green/thermal.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -23,6 +24,15 @@ struct Electrical
   bool operator==(const Electrical&) const = default;
 };
 
+/// A layer of a coating, bonded to what is above and beneath.
+struct Coat
+{
+  double thickness = 0.0; ///< [m], > 0
+  Elastic elastic;
+  std::optional<HardeningLaw> hardening{}; ///< empty: the layer stays elastic
+  bool operator==(const Coat&) const = default;
+};
+
 /// A material: elastic, or elastic-plastic if it has a hardening law.
 struct Material
 {
@@ -35,14 +45,20 @@ struct Material
   double temperature = 20.0;        ///< of the bulk [deg C]
   std::optional<Electrical> electrical{};  ///< empty: the body insulates
   std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
+  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening, heat and current.
+  std::vector<Coat> layers{};
 
-  [[nodiscard]] bool is_plastic() const { return hardening.has_value(); }
-  /// Whether it is plastic and never hardens.
-  [[nodiscard]] bool is_perfectly_plastic() const
-  {
-    return is_plastic() && kinematic.empty() &&
-           std::visit([](const auto& law) { return law.modulus_at(0.0) == 0.0; }, *hardening);
-  }
+  [[nodiscard]] bool is_plastic() const;
+  /// Whether a part of it is plastic and never hardens.
+  [[nodiscard]] bool is_perfectly_plastic() const;
+  /// The law that sets the units of results: that of the substrate or, if that stays elastic, of the uppermost layer that
+  /// yields. The material must be plastic.
+  [[nodiscard]] const HardeningLaw& law() const;
+  /// Laws of the layers and, last, of the substrate.
+  [[nodiscard]] std::vector<std::optional<HardeningLaw>> laws() const;
+  [[nodiscard]] ElasticStack stack() const;
+  /// The constants, among those of the substrate and the layers, with the largest contact compliance.
+  [[nodiscard]] const Elastic& softest() const;
   bool operator==(const Material&) const = default;
 };
 

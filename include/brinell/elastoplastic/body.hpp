@@ -93,8 +93,11 @@ struct Yield
 {
   constitutive::Material material;
   std::size_t cells_of_layer;
-  std::vector<double> factor{};    ///< on the yield stress, of the layers
-  std::vector<double> softening{}; ///< further factor, of the cells, at the end of the current increment; empty: none
+  std::vector<double> factor{}; ///< on the yield stress, of the layers of cells
+  /// Laws of the coats and the substrate; infinite strength where it stays elastic.
+  std::vector<constitutive::HardeningLaw> laws{};
+  std::vector<std::size_t> law_of{}; ///< index of the law of each layer of cells
+  std::vector<double> softening{};   ///< further factor, of the cells, at the end of the current increment; empty: none
 
   [[nodiscard]] std::size_t layer_of(std::size_t cell) const { return cell / cells_of_layer; }
   [[nodiscard]] double softening_at(std::size_t cell) const { return softening.empty() ? 1.0 : softening[cell]; }
@@ -109,13 +112,31 @@ struct Yield
   {
     return {law, factor[layer_of(cell)] * softening_at(cell)};
   }
+  [[nodiscard]] const constitutive::HardeningLaw& law_at(std::size_t cell) const
+  {
+    return laws[law_of[layer_of(cell)]];
+  }
+  /// Calls work(law, first, last) for parts of the cells [first, last) of a list whose law is the same.
+  template <typename Work>
+  void with_laws(std::span<const std::size_t> cells, std::size_t first, std::size_t last, const Work& work) const
+  {
+    while (first < last)
+    {
+      std::size_t end = last;
+      if (laws.size() > 1)
+        for (end = first + 1; end < last && law_of[layer_of(cells[end])] == law_of[layer_of(cells[first])];)
+          ++end;
+      std::visit([&](const auto& law) { work(law, first, end); }, law_at(cells[first]));
+      first = end;
+    }
+  }
 };
 
 /// The solution of an increment that is not committed, but for the plastic strain, which is in the state.
 struct Trial
 {
-  bool is_open = false;   ///< in an increment
-  double stiffness = 0.0; ///< c [Pa]
+  bool is_open = false;            ///< in an increment
+  std::vector<double> stiffness{}; ///< c of each layer of cells [Pa]
   ActiveCells active{};
   /// Deviatoric stress in the computed layers. Between increments: the stress of the state, but in the cells that were active last
   /// their q, which is the initial guess of the next increment.
@@ -156,6 +177,8 @@ struct BodyParts
     return trial.has_thermal_stress ? trial.thermal_stress : state.thermal_stress;
   }
   [[nodiscard]] Deviator backstress(std::size_t cell, std::size_t term) const;
+  /// c of a cell [Pa].
+  [[nodiscard]] double stiffness(std::size_t cell) const { return trial.stiffness[yield.layer_of(cell)]; }
   /// Centre of the yield surface before the increment.
   [[nodiscard]] Deviator centre(std::size_t cell) const;
   [[nodiscard]] int copies(std::size_t a) const { return static_cast<int>(trial.active.copies(a)); }

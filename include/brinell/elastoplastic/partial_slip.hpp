@@ -61,7 +61,7 @@ class PartialSlip final : public Interface
 {
 public:
   /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
-  PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
+  PartialSlip(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper, const Friction& friction,
               double reference);
   ~PartialSlip() override;
 

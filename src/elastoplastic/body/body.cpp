@@ -23,6 +23,22 @@ namespace
 /// cells that yield.
 constexpr double active_share = 0.8;
 
+/// Assigns laws and factors to the layers of cells.
+void assign_laws(BodyParts& b)
+{
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const constitutive::Material& material = b.yield.material;
+  for (const std::optional<constitutive::HardeningLaw>& law : material.laws())
+    b.yield.laws.push_back(law.value_or(constitutive::PerfectPlasticity{inf}));
+  const ElasticStack stack = material.stack();
+  for (int layer = 0; layer < b.grid.nz; ++layer)
+  {
+    const double depth = (b.share.layer(layer) + 0.5) * b.grid.dz;
+    b.yield.factor.push_back(material.yield_factor.at(depth, 1.0));
+    b.yield.law_of.push_back(stack.layer_at(depth));
+  }
+}
+
 /// Allocates the trial on first use: a body that is rigid or stays elastic never needs one.
 void prepare_trial(BodyParts& b)
 {
@@ -148,10 +164,10 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   }
   b.state.backstress.assign(material.kinematic.size() * Deviator::size * n, 0.0);
   b.evaluation->store(b.state);
-  for (int layer = 0; layer < b.grid.nz; ++layer)
-    b.yield.factor.push_back(material.yield_factor.at((b.share.layer(layer) + 0.5) * grid.dz, 1.0));
   if (!b.is_plastic())
     return;
+  assign_laws(b);
+  b.trial.stiffness.assign(static_cast<std::size_t>(b.grid.nz), 0.0);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.state.stress.assign(Deviator::size * n, 0.0);
   b.evaluation->initial_stress().add_to(b.state.stress, b.grid.nz, grid.surface.ny);
@@ -212,7 +228,8 @@ void Body::set_softening(std::span<const double> factor)
 void Body::begin(int shift, double stiffness_share, Guess guess)
 {
   BodyParts& b = parts_;
-  b.trial.stiffness = 2.0 * stiffness_share * b.yield.material.elastic.shear_modulus();
+  for (std::size_t layer = 0; layer < b.trial.stiffness.size(); ++layer) // none of a body that stays elastic
+    b.trial.stiffness[layer] = 2.0 * stiffness_share * b.evaluation->elastic_of(layer).shear_modulus();
   b.evaluation->restore(b.state);
   if (!b.is_plastic())
     return;

@@ -109,14 +109,11 @@ void collect_active(BodyParts& b, const std::vector<double>& q_field, int shift,
 {
   const std::size_t n = b.grid.size();
   std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(b.share.count(b.evaluation->layers())));
-  std::visit(
-      [&](const auto& law)
-      {
 #pragma omp parallel for schedule(dynamic)
-        for (std::size_t layer = 0; layer < found.size(); ++layer)
-          find_cells_beyond(b, b.yield.of_layer(law, layer), layer, q_field, shift, fraction, found[layer]);
-      },
-      *b.yield.material.hardening);
+  for (std::size_t layer = 0; layer < found.size(); ++layer)
+    std::visit([&](const auto& law)
+               { find_cells_beyond(b, b.yield.of_layer(law, layer), layer, q_field, shift, fraction, found[layer]); },
+               b.yield.laws[b.yield.law_of[layer]]);
   const SurfaceGrid& s = b.grid.surface;
   for (const std::vector<std::size_t>& cells : found) // by layers, so that the order does not depend on the threads
     for (const std::size_t cell : cells)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brinell::elastoplastic
 {
@@ -52,6 +53,13 @@ bool may_yield_below(const BodyParts& b)
   double weakest = b.yield.factor[last];
   double added = 0.0; // largest difference of the initial stress below the grid from that in the last layer [Pa]
   const double bottom = b.whole.nz * b.grid.dz;
+  const double at_last =
+      b.yield.factor[last] * constitutive::initial_yield_stress(b.yield.law_at(last * b.yield.cells_of_layer));
+  double beneath =
+      std::numeric_limits<double>::infinity(); // smallest initial yield stress below the grid without the factor
+  const std::size_t reached = b.yield.material.stack().layer_at(bottom);
+  for (std::size_t coat = reached; coat < b.yield.laws.size(); ++coat)
+    beneath = std::min(beneath, constitutive::initial_yield_stress(b.yield.laws[coat]));
   for (const double z : b.yield.material.yield_factor.depth())
     if (z > bottom)
       weakest = std::min(weakest, b.yield.material.yield_factor.at(z, 1.0));
@@ -59,9 +67,9 @@ bool may_yield_below(const BodyParts& b)
     if (z > bottom)
       added = std::max(added,
                        std::abs(b.yield.material.initial_stress.at(z, 0.0) - b.evaluation->initial_stress().at(last)));
-  if (weakest >= b.yield.factor[last] && added == 0.0)
+  const double yield = weakest * beneath;
+  if (yield >= at_last && added == 0.0)
     return false; // no layer below the grid yields before the last layer
-  const double yield = weakest * constitutive::initial_yield_stress(*b.yield.material.hardening);
   const std::size_t first = last * b.grid.surface.size();
   for (std::size_t cell = first; cell < first + b.grid.surface.independent_cells(); ++cell)
     if (von_mises(deviator_at(b.trial.stress, n, cell) - b.centre(cell)) > b.yield.softening_at(cell) * yield - added)
@@ -86,7 +94,7 @@ Edges Body::reached_edges() const
     largest = std::max(largest, equivalent_of(b, a));
   largest = b.ranks->largest(largest);
   const double limit =
-      std::max(tolerated * largest, negligible * constitutive::initial_yield_stress(*b.yield.material.hardening) /
+      std::max(tolerated * largest, negligible * constitutive::initial_yield_stress(b.yield.material.law()) /
                                         b.yield.material.elastic.young_modulus);
   const SurfaceGrid& s = b.grid.surface;
   std::vector<std::size_t> at_ends, at_sides;

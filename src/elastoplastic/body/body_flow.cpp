@@ -144,7 +144,7 @@ void ActiveLanes::flow(const Law& law, const LaneCells& at) const
     points.start = load_deviators(b.state.stress.data(), n, at);
     points.modulus =
         evaluate_laws(law, at, before, [](const auto& scaled_law, double e) { return scaled_law.modulus_at(e); });
-    constitutive::path_return(points, 0.5 * b.trial.stiffness);
+    constitutive::path_return(points, 0.5 * b.stiffness(at.cell));
   }
   store_lanes(points.equivalent, at.count, packed.equivalent + at.a);
   store_lanes(points.dissipation, at.count, packed.dissipation + at.a);
@@ -167,30 +167,24 @@ constitutive::PlasticIncrement increment(BodyParts& b, const Law& law, std::size
     back[term] = b.backstress(cell, term);
   return constitutive::flow(law, b.yield.material.kinematic, integration,
                             deviator_at(b.state.stress, b.grid.size(), cell), b.trial.active.trial(a),
-                            b.state.equivalent[cell], b.trial.stiffness, back);
+                            b.state.equivalent[cell], b.stiffness(cell), back);
 }
 
-/// Plastic flow in all active cells.
+/// Plastic flow in the active cells [first, last).
 template <typename Law>
-void flow_of(BodyParts& b, const Law& law, Integration integration)
+void flow_of(BodyParts& b, const Law& law, Integration integration, std::size_t first, std::size_t last)
 {
   const bool in_lanes = constitutive::is_linear<Law> && b.yield.material.kinematic.empty() &&
                         integration == constitutive::Integration::path;
-#pragma omp parallel for schedule(static, 1)
-  for (std::size_t first = 0; first < b.trial.active.size(); first += cells_per_share)
+  if constexpr (constitutive::is_linear<Law>)
+    if (in_lanes)
+      for_lane_cells(b.trial.active.cells(), first, last, b.grid.surface.size(),
+                     [&](const LaneCells& at) { ActiveLanes{b}.flow(law, at); });
+  for (std::size_t a = first; a < last && !in_lanes; ++a)
   {
-    const std::size_t last = std::min(first + cells_per_share, b.trial.active.size());
-    if constexpr (constitutive::is_linear<Law>)
-      if (in_lanes)
-        for_lane_cells(b.trial.active.cells(), first, last, b.grid.surface.size(),
-                       [&](const LaneCells& at) { ActiveLanes{b}.flow(law, at); });
-    for (std::size_t a = first; a < last && !in_lanes; ++a)
-    {
-      const constitutive::PlasticIncrement result =
-          increment(b, b.yield.at(law, b.trial.active.cell(a)), a, integration);
-      store(b.trial.active.start(a) + result.strain, b.state.plastic_strain, b.grid.size(), b.trial.active.cell(a));
-      b.trial.active.set_flow(a, result);
-    }
+    const constitutive::PlasticIncrement result = increment(b, b.yield.at(law, b.trial.active.cell(a)), a, integration);
+    store(b.trial.active.start(a) + result.strain, b.state.plastic_strain, b.grid.size(), b.trial.active.cell(a));
+    b.trial.active.set_flow(a, result);
   }
 }
 
@@ -224,7 +218,7 @@ Lanes ActiveLanes::map(const Law& law, const LaneCells& at) const
     const LaneDeviators increment =
         load_deviators(b.state.plastic_strain.data(), n, at) - load_packed(packed.start, at);
     for (std::size_t c = 0; c < g.size(); ++c)
-      g[c] += b.trial.stiffness * increment[c];
+      g[c] += b.stiffness(at.cell) * increment[c];
   }
   store_packed(g, packed.mapped, at);
   LaneDeviators from_centre = g;
@@ -254,20 +248,18 @@ Lanes ActiveLanes::map(const Law& law, const LaneCells& at) const
   return von_mises(g - trial) / yield;
 }
 
+/// Maps the active cells [first, last). @returns the largest error
 template <typename Law>
-double map_trials_of(BodyParts& b, const Law& law)
+double map_trials_of(BodyParts& b, const Law& law, std::size_t first, std::size_t last)
 {
   double error = 0.0;
-#pragma omp parallel for schedule(static, 1) reduction(larger : error)
-  for (std::size_t first = 0; first < b.trial.active.size(); first += cells_per_share)
-    for_lane_cells(b.trial.active.cells(), first, std::min(first + cells_per_share, b.trial.active.size()),
-                   b.grid.surface.size(),
-                   [&](const LaneCells& at)
-                   {
-                     const Values errors = values_of(ActiveLanes{b}.map(law, at));
-                     for (std::size_t lane = 0; lane < at.count; ++lane)
-                       error = larger(error, errors[lane]);
-                   });
+  for_lane_cells(b.trial.active.cells(), first, last, b.grid.surface.size(),
+                 [&](const LaneCells& at)
+                 {
+                   const Values errors = values_of(ActiveLanes{b}.map(law, at));
+                   for (std::size_t lane = 0; lane < at.count; ++lane)
+                     error = larger(error, errors[lane]);
+                 });
   return error;
 }
 
@@ -275,29 +267,40 @@ double map_trials_of(BodyParts& b, const Law& law)
 
 void flow(BodyParts& b, Integration integration)
 {
-  std::visit([&](const auto& law) { flow_of(b, law, integration); }, *b.yield.material.hardening);
+  const std::vector<std::size_t>& cells = b.trial.active.cells();
+#pragma omp parallel for schedule(static, 1)
+  for (std::size_t first = 0; first < cells.size(); first += cells_per_share)
+    b.yield.with_laws(cells, first, std::min(first + cells_per_share, cells.size()),
+                      [&](const auto& law, std::size_t from, std::size_t to)
+                      { flow_of(b, law, integration, from, to); });
 }
 
 double map_trials(BodyParts& b)
 {
-  return std::visit([&](const auto& law) { return map_trials_of(b, law); }, *b.yield.material.hardening);
+  const std::vector<std::size_t>& cells = b.trial.active.cells();
+  double error = 0.0;
+#pragma omp parallel for schedule(static, 1) reduction(larger : error)
+  for (std::size_t first = 0; first < cells.size(); first += cells_per_share)
+    b.yield.with_laws(cells, first, std::min(first + cells_per_share, cells.size()),
+                      [&](const auto& law, std::size_t from, std::size_t to)
+                      { error = larger(error, map_trials_of(b, law, from, to)); });
+  return error;
 }
 
 void put_on_yield_surface(BodyParts& b, std::size_t first)
 {
-  std::visit(
-      [&](const auto& law)
-      {
-        for (std::size_t a = first; a < b.trial.active.size(); ++a)
-        {
-          const std::size_t cell = b.trial.active.cell(a);
-          const Deviator from_centre = b.trial.active.mapped(a) - b.centre(cell);
-          const double yield = b.yield.at(law, cell).yield_stress_at(b.state.equivalent[cell]);
-          const double excess = std::max(0.0, 1.0 - yield / von_mises(from_centre));
-          b.trial.active.set_trial(a, b.trial.active.mapped(a) - excess * from_centre);
-        }
-      },
-      *b.yield.material.hardening);
+  b.yield.with_laws(b.trial.active.cells(), first, b.trial.active.size(),
+                    [&](const auto& law, std::size_t from, std::size_t to)
+                    {
+                      for (std::size_t a = from; a < to; ++a)
+                      {
+                        const std::size_t cell = b.trial.active.cell(a);
+                        const Deviator from_centre = b.trial.active.mapped(a) - b.centre(cell);
+                        const double yield = b.yield.at(law, cell).yield_stress_at(b.state.equivalent[cell]);
+                        const double excess = std::max(0.0, 1.0 - yield / von_mises(from_centre));
+                        b.trial.active.set_trial(a, b.trial.active.mapped(a) - excess * from_centre);
+                      }
+                    });
 }
 
 } // namespace brinell::elastoplastic

@@ -49,7 +49,7 @@ void find_shear_strength(const BodyParts& b, double along_x, double along_y, std
               std::max(0.0, b.yield.at(law, cell).yield_stress_at(equivalent[cell]) / std::sqrt(3.0) - backstress_part);
         }
       },
-      *b.yield.material.hardening);
+      b.yield.law_at(0));
 }
 
 } // namespace

@@ -90,7 +90,7 @@ Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::
   if (is_plastic_ && settings.displacements == Displacements::all)
     displacement_[2] = displacement_[0];
   if (is_plastic_ && shortcuts_ && settings.windows)
-    window_ = std::make_unique<Window>(grid_, material.elastic, half_space_->shared_ranks());
+    window_ = std::make_unique<Window>(grid_, material.stack(), half_space_->shared_ranks());
 }
 
 void Evaluation::begin(int shift)

@@ -64,6 +64,11 @@ public:
   void exchange(Archive& archive);
 
   [[nodiscard]] const InitialStress& initial_stress() const { return initial_stress_; }
+  /// Constants in an own layer of cells.
+  [[nodiscard]] const Elastic& elastic_of(std::size_t layer) const
+  {
+    return half_space_->elastic_of(share_.layer(static_cast<int>(layer)));
+  }
   /// Body::full_stress and Body::stress_at
   void full_stress(const halfspace::SurfaceLoad& load, std::span<const double> strain, std::span<double> deviator,
                    std::span<double> trace, int layers);

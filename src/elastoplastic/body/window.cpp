@@ -30,7 +30,7 @@ void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
     kept[t].assign(parts[t].begin(), parts[t].end());
 }
 
-Window::Window(const VolumeGrid& body, const Elastic& elastic, halfspace::HalfSpace::Ranks ranks)
+Window::Window(const VolumeGrid& body, const ElasticStack& elastic, halfspace::HalfSpace::Ranks ranks)
     : body_(body), all_layers_(body.nz), elastic_(elastic), ranks_(std::move(ranks)),
       share_(ranks_->rank(), ranks_->size()), cells_(body), requests_(window_shares.size(), 0.0)
 {

@@ -45,7 +45,7 @@ class Window
 {
 public:
   /// @param ranks  that share the body; fields are those of the own layers
-  Window(const VolumeGrid& body, const Elastic& elastic, halfspace::HalfSpace::Ranks ranks);
+  Window(const VolumeGrid& body, const ElasticStack& elastic, halfspace::HalfSpace::Ranks ranks);
 
   /// A consistent solution for the whole body.
   struct Reference
@@ -103,7 +103,7 @@ private:
 
   VolumeGrid body_; ///< own layers
   int all_layers_;
-  Elastic elastic_;
+  ElasticStack elastic_;
   halfspace::HalfSpace::Ranks ranks_;
   Share share_;
   Columns columns_{0, 0};

@@ -26,7 +26,7 @@ double unnoticed_gap(const constitutive::Material& material, double modulus, con
   double factor = material.yield_factor.empty() ? 1.0 : std::numeric_limits<double>::infinity();
   for (const double z : material.yield_factor.depth())
     factor = std::min(factor, material.yield_factor.at(z, 1.0));
-  return share * tolerance * factor * constitutive::initial_yield_stress(*material.hardening) * 2.0 *
+  return share * tolerance * factor * constitutive::initial_yield_stress(material.law()) * 2.0 *
          std::min(grid.dx, grid.dy) / (std::numbers::pi * modulus);
 }
 

@@ -15,18 +15,30 @@ namespace
 
 using halfspace::HalfSpace;
 
-std::shared_ptr<const HalfSpace> operators(const VolumeGrid& grid, const Elastic& elastic,
+std::shared_ptr<const HalfSpace> operators(const VolumeGrid& grid, const constitutive::Material& material,
                                            const HalfSpace::Ranks& ranks)
 {
-  return elastic.is_rigid() ? nullptr : std::make_shared<const HalfSpace>(grid, elastic, ranks);
+  return material.elastic.is_rigid() ? nullptr : std::make_shared<const HalfSpace>(grid, material.stack(), ranks);
 }
 
-std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const Elastic& lower, const Elastic& upper,
-                                          const Sliding& sliding, double reference)
+/// Of homogeneous bodies, the compliance depends on the contact modulus alone.
+halfspace::SurfaceCompliance normal_compliance(const SurfaceGrid& contact, const constitutive::Material& lower,
+                                               const constitutive::Material& upper, double reference)
+{
+  if (lower.layers.empty() && upper.layers.empty())
+    return {contact, contact_modulus(lower.elastic, upper.elastic), reference};
+  return {contact, lower.stack(), upper.stack(), reference};
+}
+
+std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const constitutive::Material& lower,
+                                          const constitutive::Material& upper, const Sliding& sliding, double reference)
 {
   if (sliding.sticks && sliding.friction.coefficient > 0.0)
-    return std::make_unique<PartialSlip>(contact, lower, upper, sliding.friction, reference);
-  return std::make_unique<SlidingInterface>(contact, lower, upper, sliding.friction, sliding.direction, reference);
+    return std::make_unique<PartialSlip>(contact, lower.stack(), upper.stack(), sliding.friction, reference);
+  if (!lower.layers.empty() || !upper.layers.empty())
+    throw InternalError("CoupledContact: layered surfaces that slide all over are not computed");
+  return std::make_unique<SlidingInterface>(contact, lower.elastic, upper.elastic, sliding.friction, sliding.direction,
+                                            reference);
 }
 
 /// Displacements of the surfaces on which pressure and shear do work.
@@ -52,11 +64,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures, double reference,
                                const Sliding& sliding, const std::shared_ptr<const Communicator>& ranks)
-    : parts_(make_hidden<ContactParts>(
-          Between{},
-          halfspace::SurfaceCompliance(contact, contact_modulus(lower_material.elastic, upper_material.elastic),
-                                       reference),
-          std::move(textures), scales, settings, twin)),
+    : parts_(make_hidden<ContactParts>(Between{}, normal_compliance(contact, lower_material, upper_material, reference),
+                                       std::move(textures), scales, settings, twin)),
       between_(&*parts_)
 {
   ContactParts& c = *parts_;
@@ -69,7 +78,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
       throw InternalError("CoupledContact: the three grids must have the same cells, rows and boundaries");
   if (sliding.sticks && contact.is_mirrored_y)
     throw InternalError("CoupledContact: surfaces that may stick are not solved by halves");
-  const bool are_alike = lower == upper && lower_material.elastic == upper_material.elastic;
+  const bool are_alike = lower == upper && lower_material.stack() == upper_material.stack();
   if (twin != Twin::none && !(are_alike && lower_material == upper_material))
     throw InternalError("CoupledContact: bodies that are not alike cannot be twins");
   for (const auto& [texture, grid] : {std::pair{&c.textures.lower, &lower}, {&c.textures.upper, &upper}})
@@ -80,7 +89,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     throw InternalError("CoupledContact: the shear acts on the bodies in opposite ways, so they are not alike");
   // Heat needs an interface, if need be without friction; with an interface pressure and effects are solved in turns.
   if (has_friction || sliding.heat || sliding.effects.need_turns())
-    c.interface = make_interface(contact, lower_material.elastic, upper_material.elastic, sliding, reference);
+    c.interface = make_interface(contact, lower_material, upper_material, sliding, reference);
   if (sliding.heat)
     c.heating = std::make_unique<Heating>(
         contact, std::array{Heating::Partner{lower, lower_material}, Heating::Partner{upper, upper_material}},
@@ -90,16 +99,16 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   c.effects =
       make_effects(sliding.effects, c.compliance, lower, upper,
                    contact_modulus(lower_material.elastic, upper_material.elastic), {&lower_material, &upper_material});
-  const auto half_space = operators(lower, lower_material.elastic, ranks);
+  const auto half_space = operators(lower, lower_material, ranks);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),
                              .windows = settings.windows};
   c.sides.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
   if (twin == Twin::none)
-    c.sides.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material.elastic, ranks),
-                                    upper_material, of_body),
-                       .place = &Placement::upper,
-                       .shear_sign = -1.0});
+    c.sides.push_back(
+        {.body = Body(upper, are_alike ? half_space : operators(upper, upper_material, ranks), upper_material, of_body),
+         .place = &Placement::upper,
+         .shear_sign = -1.0});
 }
 
 void CoupledContact::set_softening(std::span<const double> lower, std::span<const double> upper)

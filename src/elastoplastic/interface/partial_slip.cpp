@@ -62,8 +62,8 @@ double tolerance_of_slip(const Interface::Start& start, double coefficient, doub
 
 } // namespace
 
-PartialSlip::PartialSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
-                         double reference)
+PartialSlip::PartialSlip(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper,
+                         const Friction& friction, double reference)
     : Interface(friction), stick_slip_(std::make_unique<StickSlip>(grid, lower, upper, friction.coupling, reference)),
       increment_(std::make_unique<SlipIncrement>(grid, friction.coefficient))
 {

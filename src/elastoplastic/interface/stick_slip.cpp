@@ -29,7 +29,7 @@ StickSlip::Pair displacement_by(const halfspace::SurfaceCompliance& pair, const 
   return along;
 }
 
-StickSlip::StickSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, bool couples,
+StickSlip::StickSlip(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper, bool couples,
                      double reference)
     : pair_(grid, lower, upper, reference), scratch_(pair_.make_scratch()), tangential_(pair_), entry_(pair_),
       couples_(couples && pair_.couples()), pressure_added_(grid.size(), 0.0)

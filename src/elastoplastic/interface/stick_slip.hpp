@@ -23,7 +23,8 @@ public:
   /// @param couples    whether shear changes the gap, and pressure displaces the surfaces along each other, where the elastic
   ///                   constants differ
   /// @param reference  see PartialSlip
-  StickSlip(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, bool couples, double reference);
+  StickSlip(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper, bool couples,
+            double reference);
 
   [[nodiscard]] const halfspace::SurfaceCompliance& pair() const { return pair_; } ///< of both bodies
   /// Whether pressure and shear are coupled.

@@ -4,6 +4,7 @@
 #include "measured_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,57 @@ std::vector<constitutive::KinematicTerm> kinematic_terms(const CaseReader& reade
   return terms;
 }
 
+/// Reads one layer per table of the list `layers`; without tables there are none.
+std::vector<constitutive::Coat> coats(const CaseReader& reader, const std::string& list)
+{
+  std::vector<constitutive::Coat> layers;
+  for (const std::string& table : reader.raw.tables_of(list))
+  {
+    const std::array keys{table + ".thickness", table + ".young_modulus", table + ".poisson_ratio"};
+    const std::string hardening = table + ".hardening.";
+    const bool has_law = reader.get_or(hardening + "law", std::string("none")) != "none";
+    const auto given = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return reader.has(key); });
+    if (given == 0 && !has_law && !reader.raw.lists.contains(list))
+      continue;
+    for (const std::string& key : keys)
+      if (!reader.has(key))
+        reader.problems.add(reader.place(key),
+                            fmt::format("{} is missing; allowed: {}", key, allowed_values(*find_entry(key))));
+    if (given < 3)
+      continue;
+    layers.push_back(
+        {reader.get<double>(keys[0]), {reader.get<double>(keys[1]), reader.get<double>(keys[2])}, std::nullopt});
+    try
+    {
+      if (has_law)
+        layers.back().hardening = hardening_law(reader, hardening);
+    }
+    catch (const InputError& error)
+    {
+      reader.problems.add(reader.place(hardening + "law"), fmt::format("{}law: {}", hardening, error.what()));
+    }
+  }
+  return layers;
+}
+
+/// Refuses what is computed for a homogeneous material only.
+void refuse_with_layers(const CaseReader& reader, const std::string& table, const constitutive::Material& material)
+{
+  if (material.layers.empty())
+    return;
+  const auto refuse = [&](bool exists, const std::string& key)
+  {
+    if (exists)
+      reader.problems.add(
+          reader.place(key),
+          fmt::format("{0} does not go with {1}layers; allowed: a body without layers, or without {0}", key, table));
+  };
+  refuse(material.thermal.has_value(), table + "thermal.conductivity");
+  refuse(material.electrical.has_value(), table + "electrical.resistivity");
+  refuse(material.softening.has_value(), table + "softening.law");
+  refuse(!material.kinematic.empty(), table + "hardening.back_stresses");
+}
+
 constitutive::DepthProfile profile(const CaseReader& reader, const std::string& table, const char* value)
 {
   if (!reader.has(table + "depth") && !reader.has(table + value))
@@ -68,10 +120,18 @@ void require_elastic_at_start(const constitutive::Material& material)
 {
   std::vector<double> depths = material.initial_stress.depth();
   depths.insert(depths.end(), material.yield_factor.depth().begin(), material.yield_factor.depth().end());
+  const ElasticStack stack = material.stack();
+  const auto laws = material.laws();
+  double depth = 0.0; // of the interfaces, where the law beneath begins
+  for (const constitutive::Coat& layer : material.layers)
+    depths.push_back(depth += layer.thickness);
   for (const double z : depths)
   {
+    const auto& law = laws[stack.layer_at(z)];
+    if (!law)
+      continue;
     const double stress = material.initial_stress.at(z, 0.0);
-    const double yield = constitutive::initial_yield_stress(*material.hardening) * material.yield_factor.at(z, 1.0);
+    const double yield = constitutive::initial_yield_stress(*law) * material.yield_factor.at(z, 1.0);
     if (!(std::abs(stress) < yield))
       throw InputError(fmt::format("{:.4g} Pa at a depth of {:.4g} m, where the material yields at {:.4g} Pa; allowed: "
                                    "less than that",
@@ -90,9 +150,13 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   read_electrical(reader, table + "electrical.", result);
   if (!deforms)
     return result;
+  result.layers = coats(reader, table + "layers");
   const std::string hardening = table + "hardening.", law = hardening + "law";
   if (reader.get<std::string>(law) == "none")
+  {
+    refuse_with_layers(reader, table, result);
     return result;
+  }
   // Inconsistencies are reported at the line of `at`, or of its partner if `at` is missing.
   const auto attempt = [&](const std::string& at, const std::string& partner, const auto& make)
   {
@@ -114,6 +178,7 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
           [&] { result.yield_factor = profile(reader, table + "yield_profile.", "factor"); });
   attempt(table + "initial_stress.value", table + "initial_stress.depth",
           [&] { result.initial_stress = profile(reader, table + "initial_stress.", "value"); });
+  refuse_with_layers(reader, table, result);
   if (reader.problems.empty())
     attempt(table + "initial_stress.value", table + "yield_profile.factor", [&] { require_elastic_at_start(result); });
   return result;

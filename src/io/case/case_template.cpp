@@ -69,7 +69,8 @@ std::string meaning(const Entry& entry)
   return text;
 }
 
-/// Meaning of a key, or of a table that is written on one line: the meaning of its choice or, without one, of all its keys.
+/// Meaning of a key, or of a table that is written on one line: the meaning of its choice or, without one, of all its keys
+/// but those of tables within it.
 std::string meaning(const std::string& key)
 {
   if (const Entry* entry = find_entry(key))
@@ -77,7 +78,7 @@ std::string meaning(const std::string& key)
   std::string text;
   for (const Entry& entry : case_schema())
   {
-    if (!entry.key.starts_with(key + "."))
+    if (!entry.key.starts_with(key + ".") || entry.key.find('.', key.size() + 1) != entry.key.npos)
       continue;
     if (entry.of.type == Type::choice)
       return meaning(entry);

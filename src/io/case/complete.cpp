@@ -41,7 +41,7 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
   if (!material.hardening)
     return;
   constexpr double lowest_yield = 1e5; // a pure metal in single crystals; a gel may have less, but of a small modulus
-  const double yield_stress = constitutive::initial_yield_stress(*material.hardening);
+  const double yield_stress = constitutive::initial_yield_stress(material.law());
   if (yield_stress < std::min(lowest_yield, 1e-3 * E))
     warn(c, "low_yield",
          "{}.material.hardening: the yield stress is {:.4g} Pa, lower than that of any metal; is a unit missing, as in "

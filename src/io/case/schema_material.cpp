@@ -182,6 +182,51 @@ Entries back_stress_entries(const std::string& list, const Condition& yields)
   return entries;
 }
 
+/// Keys of the layers of a coated body: a list of tables from the surface down.
+Entries layer_entries(const std::string& material)
+{
+  const std::string list = material + "layers", table = list + ".", hardening = table + "hardening.";
+  const Condition yields{hardening + "law", names_of(law_options())};
+  Entries points = curve_entries(hardening);
+  std::erase_if(points, [](const Entry& entry)
+                { return !entry.key.ends_with("plastic_strain") && !entry.key.ends_with(".stress"); });
+  for (Entry& entry : points)
+  {
+    entry.excludes.clear();
+    entry.unset = "needed";
+  }
+  Entries entries = joined(
+      {in_table(
+           table, {material + "rigid", {"false"}},
+           {
+               {.key = "thickness",
+                .of = kind::length.above(0.0),
+                .unset = "no layer",
+                .text = "Thickness of a layer that is bonded to what is beneath. Several are a list of tables from "
+                        "the surface down, on a substrate that has the constants of the material: layers = "
+                        "[{thickness = \"2 um\", young_modulus = \"400 GPa\", poisson_ratio = 0.2}, ...]; --set "
+                        "then names one as layers[0].thickness. Critical values and estimates are those of the "
+                        "substrate.",
+                .hint = "hard coatings have 1 to 10 um"},
+               {.key = "young_modulus",
+                .of = kind::pressure.above(0.0),
+                .unset = "no layer",
+                .text = "Young's modulus of the layer."},
+               {.key = "poisson_ratio",
+                .of = kind::number.inside(-1.0, 0.5),
+                .unset = "no layer",
+                .text = "Poisson's ratio of the layer."},
+               {.key = "hardening.law",
+                .choices = law_names(),
+                .unset = "none",
+                .text = "Hardening law of the layer, as that of the material; none: the layer stays elastic."},
+           }),
+       hardening_entries(hardening, yields), std::move(points)});
+  for (Entry& entry : entries)
+    entry.list = list;
+  return entries;
+}
+
 /// Keys of profiles over depth.
 Entries depth_entries(const std::string& table, const Condition& yields)
 {
@@ -334,9 +379,9 @@ std::vector<Entry> material_entries(const std::string& material)
   const Condition yields{material + "hardening.law", names_of(law_options())};
   return joined({elastic_entries(material), hardening_entries(material + "hardening.", yields),
                  curve_entries(material + "hardening."), conversion_entries(material + "hardening."),
-                 back_stress_entries(material + "hardening.back_stresses", yields), depth_entries(material, yields),
-                 thermal_entries(material), electrical_entries(material), softening_entries(material, yields),
-                 fatigue_entries(material)});
+                 back_stress_entries(material + "hardening.back_stresses", yields), layer_entries(material),
+                 depth_entries(material, yields), thermal_entries(material), electrical_entries(material),
+                 softening_entries(material, yields), fatigue_entries(material)});
 }
 
 } // namespace brinell::io

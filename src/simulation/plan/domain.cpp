@@ -249,8 +249,7 @@ void require_finite_depth(const ShapedBody& lower, const ShapedBody& upper, doub
     const constitutive::DepthProfile& factor = body->material.yield_factor;
     const double core = factor.empty() ? 1.0 : factor.at(factor.depth().back(), 1.0);
     const double nu = body->material.elastic.poisson_ratio;
-    const double most =
-        core * constitutive::initial_yield_stress(*body->material.hardening) * (1.0 - nu) / (1.0 - 2.0 * nu);
+    const double most = core * constitutive::initial_yield_stress(body->material.law()) * (1.0 - nu) / (1.0 - 2.0 * nu);
     if (!(pressure < most))
       throw InputError(fmt::format("a mean pressure of {:.4g} Pa over the period makes the {} body yield to any depth; "
                                    "allowed: less than {:.4g} Pa, its yield stress times (1 - nu)/(1 - 2 nu)",

@@ -33,7 +33,7 @@ std::optional<PairYield> yield_of(const Material& material, double factor, Yield
 {
   if (!material.is_plastic())
     return std::nullopt;
-  return PairYield{ratio, factor * constitutive::initial_yield_stress(*material.hardening), body};
+  return PairYield{ratio, factor * constitutive::initial_yield_stress(material.law()), body};
 }
 
 std::optional<PairYield> weaker(const std::optional<PairYield>& lower, const std::optional<PairYield>& upper)

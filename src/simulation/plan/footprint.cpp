@@ -41,7 +41,7 @@ struct Combined
 Combined pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain& domain, double friction)
 {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  Combined pair{contact_modulus(lower.material.elastic, upper.material.elastic), inf, inf, inf};
+  Combined pair{contact_modulus(lower.material.softest(), upper.material.softest()), inf, inf, inf};
   if (const std::optional<PairYield> yield = earliest_yield(
           lower.material, upper.material,
           touch_all_along_y(lower.shape, upper.shape, domain) ? ContactKind::line : ContactKind::point, friction))
@@ -50,13 +50,11 @@ Combined pair_of(const ShapedBody& lower, const ShapedBody& upper, const Domain&
     if (body->material.is_plastic())
     {
       const double softest = smallest_yield_factor(body->material);
-      const auto stress_at = [&](double strain)
-      {
-        return softest *
-               std::visit([&](const auto& law) { return law.yield_stress_at(strain); }, *body->material.hardening);
+      const auto stress_at = [&](double strain) {
+        return softest * std::visit([&](const auto& law) { return law.yield_stress_at(strain); }, body->material.law());
       };
       pair.yield_stress =
-          std::min(pair.yield_stress, softest * constitutive::initial_yield_stress(*body->material.hardening));
+          std::min(pair.yield_stress, softest * constitutive::initial_yield_stress(body->material.law()));
       pair.flow_stress = std::min(pair.flow_stress, stress_at(representative_strain));
     }
   return pair;
@@ -357,9 +355,9 @@ bool needs_surfaces_only(const PairCase& c)
          !c.upper.fatigue;
 }
 
-void lay_out(const Numerics& numerics, const Footprint& f, double track_lower, double track_upper, Plan& plan)
+void lay_out(const PairCase& pair, const Footprint& f, double track_lower, double track_upper, Plan& plan)
 {
-  lay_out(numerics, cell_sizes(numerics, {f.half_x, f.half_y, f.straight_y}, 1.0), f, track_lower, track_upper, plan);
+  lay_out(pair, cell_sizes(pair, {f.half_x, f.half_y, f.straight_y}, 1.0), f, track_lower, track_upper, plan);
 }
 
 void lay_out(const Numerics& numerics, const std::array<double, 3>& cells, const Footprint& f, double track_lower,

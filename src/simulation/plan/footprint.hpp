@@ -68,7 +68,7 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 
 /// Sets grids and tolerances of a plan, whose `surfaces_only` is set, for a contact that moves along the bodies.
 /// @param track_lower, track_upper  largest distance of the contact's centre from the middle of each body's grid [m].
-void lay_out(const Numerics& numerics, const Footprint& footprint, double track_lower, double track_upper, Plan& plan);
+void lay_out(const PairCase& pair, const Footprint& footprint, double track_lower, double track_upper, Plan& plan);
 /// Sets them with other cells than those of `cell_sizes`.
 void lay_out(const Numerics& numerics, const std::array<double, 3>& cells, const Footprint& footprint,
              double track_lower, double track_upper, Plan& plan);

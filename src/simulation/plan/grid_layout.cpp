@@ -2,11 +2,13 @@
 #include "grid_layout.hpp"
 
 #include "brinell/foundation/error.hpp"
+#include "brinell/halfspace/half_space.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <tuple>
+#include <vector>
 
 namespace brinell::simulation
 {
@@ -100,6 +102,29 @@ double layer_thickness(const Domain& domain, double dx, double dy)
   return 0.5 * (is_one_row(domain, dy) ? dx : std::min(dx, dy));
 }
 
+/// Thickness of layers of cells that end at the interfaces of coated bodies that can yield: the given one, or the next smaller one
+/// that divides the uppermost coat. The given one where that would be less than a quarter of it.
+double fitted_to_coats(const PairCase& pair, double dz)
+{
+  std::vector<ElasticStack> stacks;
+  for (const ShapedBody* body : {&pair.lower, &pair.upper})
+    if (body->material.is_plastic() && !body->material.layers.empty())
+      stacks.push_back(body->material.stack());
+  if (stacks.empty())
+    return dz;
+  constexpr double finest = 0.25;
+  constexpr int deep = 1 << 30; // all interfaces are within such a grid
+  const double first = stacks.front().layers.front().thickness;
+  for (double count = whole_above(first / dz); first / count >= finest * dz; ++count)
+  {
+    VolumeGrid grid{{}, deep, first / count};
+    if (std::all_of(stacks.begin(), stacks.end(),
+                    [&](const ElasticStack& stack) { return halfspace::is_aligned(grid, stack); }))
+      return grid.dz;
+  }
+  return dz;
+}
+
 /// Adapts dy so that the ends of a cylinder coincide with edges of cells: the cylinder is an odd number of cells long if there is
 /// a row in the middle, and an even number in a period with an even number of rows.
 void require_ends_at_cells(const Domain& domain, double length, double dy)
@@ -115,8 +140,9 @@ void require_ends_at_cells(const Domain& domain, double length, double dy)
 
 } // namespace
 
-std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect)
+std::array<double, 3> cell_sizes(const PairCase& pair, const ContactSize& contact, double aspect)
 {
+  const Numerics& numerics = pair;
   if (!(numerics.resolution > 0.0))
     throw PlanError("`Numerics::resolution` = {:g}; allowed: > 0", numerics.resolution);
   if (!(numerics.extent > 0.0))
@@ -132,6 +158,8 @@ std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& co
   fit_periods(numerics.domain, numerics.spacing.has_value(), spacing);
   if (!numerics.spacing)
     spacing[2] = layer_thickness(numerics.domain, spacing[0], spacing[1]);
+  if (!numerics.spacing && !(numerics.domain.layer > 0.0))
+    spacing[2] = fitted_to_coats(pair, spacing[2]);
   if (contact.straight_y && !is_one_row(numerics.domain, spacing[1]))
     require_ends_at_cells(numerics.domain, 2.0 * contact.half_y, spacing[1]);
   constexpr double most_cells = 1e5;

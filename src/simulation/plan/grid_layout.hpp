@@ -15,10 +15,11 @@ struct ContactSize
 };
 
 /// Cell sizes dx, dy, dz [m] from the size of the contact, unless they are given. Along a periodic axis the period is a whole
-/// number of cells.
+/// number of cells. Under coatings, layers of cells end at the interfaces, as plastic strain needs, where at most four times as many
+/// do.
 /// @param aspect  dy over dx for a round contact.
 /// @throws GridError; PlanError if a period is not a whole number of given cells
-[[nodiscard]] std::array<double, 3> cell_sizes(const Numerics& numerics, const ContactSize& contact, double aspect);
+[[nodiscard]] std::array<double, 3> cell_sizes(const PairCase& pair, const ContactSize& contact, double aspect);
 
 /// Cells of a contact that moves along a way, and the steps in which it does.
 struct StepsOnWay

@@ -6,8 +6,45 @@
 #include "heat.hpp"
 #include "memory.hpp"
 
+#include "brinell/halfspace/half_space.hpp"
+
+#include <tuple>
+
 namespace brinell::simulation
 {
+
+namespace
+{
+
+/// Layers need cells that end at the interfaces where plastic strain may be, and are not computed with everything.
+void check_layers(const PairCase& c, bool sticks, const Plan& plan)
+{
+  for (const auto& [name, body, grid] :
+       {std::tuple{"lower", &c.lower, &plan.lower}, std::tuple{"upper", &c.upper, &plan.upper}})
+  {
+    if (body->material.layers.empty())
+      continue;
+    const std::string layers = member_of(name, "material.layers");
+    if (c.friction.coefficient > 0.0 && !sticks)
+      throw PlanError("`Friction::coefficient` = {:g} and {}: sliding with friction is computed for homogeneous bodies "
+                      "only; allowed: no friction, surfaces that may stick, or no layers",
+                      c.friction.coefficient, layers);
+    if (body->fatigue)
+      throw PlanError("{} and {}: fatigue is computed for homogeneous bodies only; allowed: one of them", layers,
+                      member_of(name, "fatigue"));
+    try
+    {
+      if (body->material.is_plastic())
+        halfspace::require_aligned(*grid, body->material.stack());
+    }
+    catch (const InputError& error)
+    {
+      throw PlanError("{}: {}", layers, error.what());
+    }
+  }
+}
+
+} // namespace
 
 void check_grids(const PairCase& c, Plan& plan)
 {
@@ -18,6 +55,7 @@ void check_grids(const PairCase& c, Plan& plan)
 
 void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<halfspace::HeatTimes()>& heat_times)
 {
+  check_layers(c, sticks, plan);
   const bool heats = is_heated(c);
   if (heats)
     plan.heat_times = heat_times();

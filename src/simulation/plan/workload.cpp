@@ -60,11 +60,11 @@ Softest softest(const ShapedBody& lower, const ShapedBody& upper, double depth)
     if (!body->material.is_plastic())
       continue;
     const double factor = body->material.yield_factor.at(depth, 1.0);
-    const double yield = factor * constitutive::initial_yield_stress(*body->material.hardening);
+    const double yield = factor * constitutive::initial_yield_stress(body->material.law());
     if (!(yield < found.yield))
       continue;
     const double later =
-        factor * std::visit([](const auto& law) { return law.yield_stress_at(0.05); }, *body->material.hardening);
+        factor * std::visit([](const auto& law) { return law.yield_stress_at(0.05); }, body->material.law());
     found = {yield, factor / smallest_yield_factor(body->material), later / yield - 1.0,
              !body->material.kinematic.empty()};
   }
@@ -242,7 +242,7 @@ Sizes sizes_of(const Situation& s)
       continue;
     const bool is_linear =
         body->material.kinematic.empty() && s.pair.solver.integration == elastoplastic::Integration::path &&
-        std::visit([]<typename Law>(const Law&) { return constitutive::is_linear<Law>; }, *body->material.hardening);
+        std::visit([]<typename Law>(const Law&) { return constitutive::is_linear<Law>; }, body->material.law());
     const double cells = unit * static_cast<double>(grid->size());
     sizes.transforms += unit * transform(evaluated(s.pair, s.plan, grid->surface)) * grid->nz;
     sizes.cells += cells;

@@ -77,9 +77,9 @@ bool follows_fatigue(const ShapedBody& body)
 
 FatigueOfBody::FatigueOfBody(const ShapedBody& body, std::size_t side)
     : body_(body), side_(side), fatigue_(*body.fatigue), shear_modulus_(body.material.elastic.shear_modulus()),
-      yield_strain_(body.material.is_plastic() ? constitutive::initial_yield_stress(*body.material.hardening) /
-                                                     body.material.elastic.young_modulus
-                                               : std::numeric_limits<double>::infinity()),
+      yield_strain_(body.material.is_plastic()
+                        ? constitutive::initial_yield_stress(body.material.law()) / body.material.elastic.young_modulus
+                        : std::numeric_limits<double>::infinity()),
       numbers_(CoupledContact::numbers_of_stress + (fatigue_.criterion == constitutive::Fatigue::Criterion::fatemi_socie
                                                         ? CoupledContact::numbers_of_strain
                                                         : 0))

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "brinell/foundation/error.hpp"
+#include "brinell/io/case_file.hpp"
+#include "sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+/// Layers of coated bodies as they stand in a case file.
+namespace brinell::io::layers_case_test
+{
+namespace
+{
+
+using constitutive::Coat;
+
+constexpr const char* hard = R"({thickness="1.925 mm", young_modulus="400 GPa", poisson_ratio=0.2})";
+
+std::string layers(const std::string& tables)
+{
+  return "lower.material.layers=" + tables;
+}
+
+void expect_message(const std::vector<std::string>& overrides, const std::string& part)
+{
+  try
+  {
+    (void)sample::parsed(overrides);
+    ADD_FAILURE() << "no error for " << overrides.front();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(LayersCase, AListFromTheSurfaceDownIsRead)
+{
+  const Case c = sample::parsed(
+      {layers(std::string("[") + hard + R"(, {thickness="3.85 mm", young_modulus="80 GPa", poisson_ratio=0.35, )" +
+              R"(hardening={law="table", plastic_strain=[0, 0.1], stress=["1 GPa", "2 GPa"]}}])")});
+  const std::vector<Coat> expected{
+      {1.925e-3, {400e9, 0.2}, {}},
+      {3.85e-3, {80e9, 0.35}, constitutive::HardeningLaw(constitutive::TabulatedHardening({0.0, 0.1}, {1e9, 2e9}))}};
+  EXPECT_EQ(sample::tugging(c).lower.material.layers, expected);
+}
+
+TEST(LayersCase, TheResolvedCaseGivesThemBack)
+{
+  const Case c = sample::parsed({layers(
+      std::string("[") + hard +
+      R"(, {thickness="3.85 mm", young_modulus="80 GPa", poisson_ratio=0.35, hardening={law="perfect", yield_stress=1e9}}])")});
+  const Case again = parse_case(resolved_text(c.values), "resolved.toml", {});
+  EXPECT_EQ(sample::tugging(again).lower.material, sample::tugging(c).lower.material);
+}
+
+TEST(LayersCase, ErrorsNameTheLayer)
+{
+  expect_message({layers(R"([{thickness="1.925 mm", poisson_ratio=0.2}])")},
+                 "layers[0].young_modulus is missing; allowed: pressure > 0");
+  expect_message({layers(R"([{thickness="1.925 mm", young_modulus=4e11, poisson_ratio=0.5}])")},
+                 "layers[0].poisson_ratio");
+  expect_message({layers(R"([{thickness="2 GPa", young_modulus=4e11, poisson_ratio=0.2}])")},
+                 "layers[0].thickness = \"2 GPa\" is a pressure");
+  expect_message({layers(std::string("[") + hard + "]"),
+                  R"(lower.material.hardening={law="perfect", yield_stress=1e9, back_stresses=[{modulus=1e9}]})"},
+                 "back_stresses does not go with lower.material.layers");
+  expect_message({layers(std::string("[") + hard + "]"), "interface.friction=0.1"}, "homogeneous bodies");
+}
+
+} // namespace
+} // namespace brinell::io::layers_case_test
