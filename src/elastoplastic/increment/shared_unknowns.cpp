@@ -9,6 +9,32 @@
 namespace brinell::elastoplastic
 {
 
+namespace
+{
+
+void gather(const std::vector<double>& values, const std::vector<std::size_t>& places, std::vector<double>& gathered)
+{
+  gathered.resize(places.size());
+  for_pieces(places.size(),
+             [&](std::size_t first, std::size_t last)
+             {
+               for (std::size_t i = first; i < last; ++i)
+                 gathered[i] = values[places[i]];
+             });
+}
+
+void scatter(const std::vector<double>& gathered, const std::vector<std::size_t>& places, std::vector<double>& values)
+{
+  for_pieces(places.size(),
+             [&](std::size_t first, std::size_t last)
+             {
+               for (std::size_t i = first; i < last; ++i)
+                 values[places[i]] = gathered[i];
+             });
+}
+
+} // namespace
+
 SharedUnknowns::SharedUnknowns(const Communicator& ranks) : ranks_(ranks) {}
 
 void SharedUnknowns::follow(const std::vector<std::vector<std::size_t>>& places, std::size_t size)
@@ -46,27 +72,21 @@ void SharedUnknowns::follow(const std::vector<std::vector<std::size_t>>& places,
   in_pieces_ = size / turn * piece_size + std::min(piece_size, size % turn - std::min(size % turn, me * piece_size));
 }
 
-void SharedUnknowns::to_pieces(const std::vector<double>& of_cells, std::vector<double>& in_pieces) const
+void SharedUnknowns::to_pieces(const std::vector<double>& of_cells, std::vector<double>& in_pieces)
 {
-  std::vector<double> sent, received(arrives_.size());
-  sent.reserve(order_.size());
-  for (const std::size_t own : order_)
-    sent.push_back(of_cells[own]);
-  ranks_.all_to_all(sent, sent_, received, received_);
+  gather(of_cells, order_, cells_side_);
+  pieces_side_.resize(arrives_.size());
+  ranks_.all_to_all(cells_side_, sent_, pieces_side_, received_);
   in_pieces.resize(in_pieces_);
-  for (std::size_t i = 0; i < arrives_.size(); ++i)
-    in_pieces[arrives_[i]] = received[i];
+  scatter(pieces_side_, arrives_, in_pieces);
 }
 
-void SharedUnknowns::to_cells(const std::vector<double>& in_pieces, std::vector<double>& of_cells) const
+void SharedUnknowns::to_cells(const std::vector<double>& in_pieces, std::vector<double>& of_cells)
 {
-  std::vector<double> sent, received(order_.size());
-  sent.reserve(arrives_.size());
-  for (const std::size_t place : arrives_)
-    sent.push_back(in_pieces[place]);
-  ranks_.all_to_all(sent, received_, received, sent_);
-  for (std::size_t i = 0; i < order_.size(); ++i)
-    of_cells[order_[i]] = received[i];
+  gather(in_pieces, arrives_, pieces_side_);
+  cells_side_.resize(order_.size());
+  ranks_.all_to_all(pieces_side_, received_, cells_side_, sent_);
+  scatter(cells_side_, order_, of_cells);
 }
 
 } // namespace brinell::elastoplastic

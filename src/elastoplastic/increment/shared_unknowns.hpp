@@ -26,8 +26,8 @@ public:
 
   /// @param of_cells   of the own unknowns, body by body
   /// @param in_pieces  of the own pieces
-  void to_pieces(const std::vector<double>& of_cells, std::vector<double>& in_pieces) const;
-  void to_cells(const std::vector<double>& in_pieces, std::vector<double>& of_cells) const;
+  void to_pieces(const std::vector<double>& of_cells, std::vector<double>& in_pieces);
+  void to_cells(const std::vector<double>& in_pieces, std::vector<double>& of_cells);
 
 private:
   const Communicator& ranks_;
@@ -35,6 +35,8 @@ private:
   std::vector<std::size_t> sent_, received_; ///< numbers by rank
   std::vector<std::size_t> arrives_;         ///< place in the own pieces of what arrives
   std::size_t in_pieces_ = 0;                ///< number of unknowns in the own pieces
+  /// Values sent and received, kept from call to call: new memory for them would cost as much time as the passing.
+  std::vector<double> cells_side_, pieces_side_;
 };
 
 } // namespace brinell::elastoplastic

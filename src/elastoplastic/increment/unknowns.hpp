@@ -56,6 +56,7 @@ private:
   /// Appends the unknowns that the bodies have gained; their number does not shrink within an increment.
   void grow(const std::vector<Side>& sides)
   {
+    const std::size_t known = size_;
     places_.resize(sides.size());
     cells_.resize(sides.size());
     for (std::size_t part = 0; part < sides.size(); ++part)
@@ -67,7 +68,7 @@ private:
           places_[part].push_back(size_ + (body.place_of_active(a) - before) * Deviator::size + c);
       size_ += (cells_[part] - before) * Deviator::size;
     }
-    if (!shared_.is_alone())
+    if (!shared_.is_alone() && (size_ > known || known == 0)) // alike on all ranks
       shared_.follow(places_, size_);
   }
   void go_further(std::vector<Side>& sides) const
@@ -121,14 +122,22 @@ private:
   template <typename Use>
   void for_own(const Use& use) const
   {
-    std::size_t own = 0;
+    std::size_t before = 0;
     for (std::size_t part = 0; part < places_.size(); ++part)
-      for (std::size_t i = 0; i < places_[part].size(); ++i)
-        use(part, i, own++);
+    {
+      for_pieces(places_[part].size(),
+                 [&](std::size_t first, std::size_t last)
+                 {
+                   for (std::size_t i = first; i < last; ++i)
+                     use(part, i, before + i);
+                 });
+      before += places_[part].size();
+    }
   }
   void advance_shared(std::vector<Side>& sides)
   {
-    std::vector<double> of_cells(shared_.own_unknowns());
+    std::vector<double>& of_cells = of_cells_;
+    of_cells.resize(shared_.own_unknowns());
     const auto pass = [&](const auto& values_of, std::vector<double>& in_pieces)
     {
       for_own([&](std::size_t part, std::size_t i, std::size_t own)
@@ -142,12 +151,16 @@ private:
     shared_.to_cells(x_, of_cells);
     for_own([&](std::size_t part, std::size_t i, std::size_t own) { sides[part].body.trial()[i] = of_cells[own]; });
   }
-  void go_further_shared(std::vector<Side>& sides) const
+  void go_further_shared(std::vector<Side>& sides)
   {
-    std::vector<double> of_cells(shared_.own_unknowns());
+    std::vector<double>& of_cells = of_cells_;
+    of_cells.resize(shared_.own_unknowns());
     shared_.to_cells(anderson_.residual(), of_cells);
-    std::vector<std::vector<double>> residuals(sides.size());
-    for_own([&](std::size_t part, std::size_t, std::size_t own) { residuals[part].push_back(of_cells[own]); });
+    std::vector<std::vector<double>> residuals;
+    residuals.reserve(sides.size());
+    for (const std::vector<std::size_t>& of_body : places_)
+      residuals.emplace_back(of_body.size());
+    for_own([&](std::size_t part, std::size_t i, std::size_t own) { residuals[part][i] = of_cells[own]; });
     for (std::size_t part = 0; part < sides.size(); ++part)
       sides[part].body.go_further(residuals[part]);
   }
@@ -159,6 +172,7 @@ private:
   std::vector<std::size_t> cells_;               ///< active cells of each body, of all ranks
   std::size_t size_ = 0;                         ///< of these vectors
   std::vector<double> x_, g_, y_;                ///< trials, their images and flow
+  std::vector<double> of_cells_;                 ///< one of these, of the own unknowns
 };
 
 } // namespace brinell::elastoplastic

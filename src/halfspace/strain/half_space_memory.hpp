@@ -6,6 +6,10 @@
 namespace brinell::halfspace
 {
 
+/// Layers of which ranks pass one component at a time: whole turns of dealing them out, at least a pair for each thread.
+/// @param threads  of the rank that has most
+[[nodiscard]] int layers_at_a_time(const SurfaceGrid& grid, int ranks, int threads);
+
 /// Memory of a HalfSpace on a grid [bytes].
 struct MemoryOfHalfSpace
 {

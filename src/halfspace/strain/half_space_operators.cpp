@@ -38,7 +38,7 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       own_mirrored_fft(own, surface_fft.px(), surface_fft.py()), blocks(share.blocks(surface_fft.blocks())),
-      image_correction(volume, stack, surface_fft)
+      image_correction(volume, stack, surface_fft), layers_at_a_time(volume.nz), units_at_a_time(volume.nz)
 {
   if (stack.is_homogeneous())
     eigenstrain_stress.emplace(volume, stack.substrate, surface_fft, shortest);
@@ -46,10 +46,14 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
     stack_stress.emplace(volume, stack, surface_fft, shortest);
   if (share.is_all())
     return;
-  const Exchange largest = is_mirrored() ? exchange_mirrored(grid.nz) : exchange(volume_fft, grid.nz);
-  const Exchange of_trace = exchange(trace_fft, grid.nz);
-  passing.of_planes.resize(std::max(largest.size_of_planes(), of_trace.size_of_planes()));
-  passing.of_blocks.resize(std::max(largest.size_of_blocks(), of_trace.size_of_blocks()));
+  const auto threads = static_cast<int>(ranks->largest(omp_get_max_threads()));
+  layers_at_a_time = halfspace::layers_at_a_time(grid.surface, share.ranks(), threads);
+  units_at_a_time = is_mirrored() ? layers_at_a_time / Share::layers_together : layers_at_a_time;
+  const Exchange of_layers(*ranks, share, share.layers(), std::min(layers_at_a_time, grid.nz), surface_fft.blocks(),
+                           grid.surface.independent_rows());
+  const Exchange of_units = exchange(std::min(units_at_a_time, is_mirrored() ? MirroredFft::groups(grid.nz) : grid.nz));
+  passing.of_planes.resize(std::max(of_layers.size_of_planes(), of_units.size_of_planes()));
+  passing.of_blocks.resize(std::max(of_layers.size_of_blocks(), of_units.size_of_blocks()));
 }
 
 void HalfSpace::Operators::apply_to_strain(int block, const SpectrumRows& rows,

@@ -98,6 +98,8 @@ struct HalfSpace::Operators
     AlignedVector<ComplexLanes> of_planes, of_blocks;
   };
   mutable Passing passing;
+  int layers_at_a_time; ///< number of layers passed between ranks at a time, in whole turns
+  int units_at_a_time;  ///< number of units: layers, or of mirror images pairs of layers
 
   /// @param shortest  see EigenstrainStress
   Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by);
@@ -175,8 +177,14 @@ private:
   /// Passes what all ranks need of the strain: its moments, and the rows of the displacement.
   void join_shared(const OfTraction<const TractionStress*>& kernels, int strained, Work::Buffers& work) const;
   void join_layers(int layers, std::vector<double>& values) const;
-  [[nodiscard]] Exchange exchange(const BlockedFft& fft, int layers) const;
-  [[nodiscard]] Exchange exchange_mirrored(int layers) const;
+  /// Of some layers, of mirror images pairs of layers, that are dealt out in whole turns.
+  [[nodiscard]] Exchange exchange(int units) const;
+  void transform_rows_shared(std::span<const double> plastic_strain, int layers, int plane, int own_unit,
+                             ComplexLanes* out, const RowFft::Spectra& apart, Work::Buffers& work,
+                             Work::Buffers::Scratch& scratch) const;
+  void invert_rows_mirrored_shared(const MirroredFft::Plane& plane, const ComplexLanes* rows,
+                                   const RowFft::Spectra& apart, std::span<const double> plastic_strain,
+                                   Work::Buffers& work, std::span<double> stress) const;
   void invert_shared(int component, int layers, const OfTraction<const TractionStress*>& kernels, const BlockedFft& fft,
                      const ComplexLanes* spectra, int planes_of_layer, Work::Buffers& work, double* fields) const;
   void add_load_and_invert_mirrored_shared(const OfTraction<const TractionStress*>& kernels,

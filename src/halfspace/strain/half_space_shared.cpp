@@ -25,16 +25,15 @@ void by_one_thread(const Pass& pass)
 
 } // namespace
 
-Exchange HalfSpace::Operators::exchange(const BlockedFft& fft, int layers) const
+Exchange HalfSpace::Operators::exchange(int units) const
 {
-  return {*ranks, share, share.layers(), layers, fft.blocks(), grid.surface.independent_rows()};
-}
-
-Exchange HalfSpace::Operators::exchange_mirrored(int layers) const
-{
-  const Dealt pairs(share.ranks(), 1);
   static_assert(Share::layers_together == MirroredFft::layers_of_group);
-  return {*ranks, share, pairs, MirroredFft::groups(layers), surface_fft.blocks(), mirrored_fft.rows()};
+  return {*ranks,
+          share,
+          is_mirrored() ? Dealt(share.ranks(), 1) : share.layers(),
+          units,
+          surface_fft.blocks(),
+          is_mirrored() ? mirrored_fft.rows() : grid.surface.independent_rows()};
 }
 
 /// Counterpart of transform_strain. To be called by all threads.
@@ -42,47 +41,55 @@ void HalfSpace::Operators::transform_strain_shared(std::span<const double> plast
                                                    Work::Buffers& work, Work::Buffers::Scratch& scratch) const
 {
   const bool halves = is_mirrored();
-  const Exchange passed = halves ? exchange_mirrored(layers) : exchange(volume_fft, layers);
   const int units = halves ? MirroredFft::groups(layers) : layers;
   const int planes = halves ? MirroredFft::planes_of_group : Deviator::size; // of a unit
   const int planes_of_all = halves ? planes * MirroredFft::groups(grid.nz) : volume_fft.planes();
   const std::ptrdiff_t rows = halves ? mirrored_fft.rows() : grid.surface.independent_rows();
   ComplexLanes* const strain_rows = rows_of_strain(halves ? mirrored_fft.rows_size() : volume_fft.rows_size(), work);
-  const RowFft::Spectra apart{passed.apart(), false};
-  for (int plane = 0; plane < planes; ++plane)
+  for (int first = 0; first < units; first += units_at_a_time)
   {
-#pragma omp for schedule(static)
-    for (int own_unit = 0; own_unit < passed.own_units(); ++own_unit)
+    const Exchange passed = exchange(std::min(units_at_a_time, units - first));
+    for (int plane = 0; plane < planes; ++plane)
     {
-      ComplexLanes* const out = passing.of_planes.data() + own_unit * rows;
-      if (halves)
-      {
-        const Dealt pairs(share.ranks(), 1);
-        const MirroredFft::Plane parts =
-            MirroredFft::plane(planes * pairs.item(share.rank(), own_unit) + plane, layers);
-        const std::array<int, 2> first_rows{prepare_part(parts.first, {}, plastic_strain, work),
-                                            prepare_part(parts.second, {}, plastic_strain, work)};
-        if (!parts.is_empty())
-          own_mirrored_fft.rows_forward_to(plastic_strain.data(), planes * own_unit + plane, share.count(layers),
-                                           first_rows, out, apart, scratch.mirrored);
-        continue;
-      }
-      const int layer = share.layer(own_unit);
-      const double* strain = plastic_strain.data() + field_at(plane, layer);
-      const CellRectangle used = used_cells(strain, grid.surface.nx, grid.surface.ny);
-      work.used[static_cast<std::size_t>(Deviator::size * layer + plane)] = used;
-      image_correction.find_moments_of_layer(strain, used, plane, layer, work.images);
-      volume_fft.rows_forward_to(strain, out, apart, scratch.fft);
-    }
-    by_one_thread([&] { passed.to_blocks(passing.of_planes.data(), passing.of_blocks.data()); });
 #pragma omp for schedule(static)
-    for (int block = blocks.first; block < blocks.end; ++block)
-      for (int unit = 0; unit < units; ++unit)
-        std::copy_n(passing.of_blocks.data() + passed.place(unit, block), rows,
-                    strain_rows +
-                        (static_cast<std::ptrdiff_t>(block - blocks.first) * planes_of_all + planes * unit + plane) *
-                            rows);
+      for (int own_unit = 0; own_unit < passed.own_units(); ++own_unit)
+        transform_rows_shared(plastic_strain, layers, plane, first / share.ranks() + own_unit,
+                              passing.of_planes.data() + own_unit * rows, {passed.apart(), false}, work, scratch);
+      by_one_thread([&] { passed.to_blocks(passing.of_planes.data(), passing.of_blocks.data()); });
+#pragma omp for schedule(static)
+      for (int block = blocks.first; block < blocks.end; ++block)
+        for (int unit = 0; unit < passed.units(); ++unit)
+          std::copy_n(passing.of_blocks.data() + passed.place(unit, block), rows,
+                      strain_rows + (static_cast<std::ptrdiff_t>(block - blocks.first) * planes_of_all +
+                                     planes * (first + unit) + plane) *
+                                        rows);
+    }
   }
+}
+
+/// Transforms one plane of an own layer, or of an own pair of layers, along x.
+void HalfSpace::Operators::transform_rows_shared(std::span<const double> plastic_strain, int layers, int plane,
+                                                 int own_unit, ComplexLanes* out, const RowFft::Spectra& apart,
+                                                 Work::Buffers& work, Work::Buffers::Scratch& scratch) const
+{
+  if (is_mirrored())
+  {
+    constexpr int planes = MirroredFft::planes_of_group;
+    const int pair = Dealt(share.ranks(), 1).item(share.rank(), own_unit);
+    const MirroredFft::Plane parts = MirroredFft::plane(planes * pair + plane, layers);
+    const std::array<int, 2> first_rows{prepare_part(parts.first, {}, plastic_strain, work),
+                                        prepare_part(parts.second, {}, plastic_strain, work)};
+    if (!parts.is_empty())
+      own_mirrored_fft.rows_forward_to(plastic_strain.data(), planes * own_unit + plane, share.count(layers),
+                                       first_rows, out, apart, scratch.mirrored);
+    return;
+  }
+  const int layer = share.layer(own_unit);
+  const double* strain = plastic_strain.data() + field_at(plane, layer);
+  const CellRectangle used = used_cells(strain, grid.surface.nx, grid.surface.ny);
+  work.used[static_cast<std::size_t>(Deviator::size * layer + plane)] = used;
+  image_correction.find_moments_of_layer(strain, used, plane, layer, work.images);
+  volume_fft.rows_forward_to(strain, out, apart, scratch.fft);
 }
 
 /// Completes values [component][layer][...] of which each rank knows those of its layers.
@@ -135,35 +142,42 @@ void HalfSpace::Operators::invert_shared(int component, int layers, const OfTrac
                                          const BlockedFft& fft, const ComplexLanes* spectra, int planes_of_layer,
                                          Work::Buffers& work, double* fields) const
 {
-  const Exchange passed = exchange(fft, layers);
   const std::ptrdiff_t rows = grid.surface.independent_rows();
   const int place = planes_of_layer == 1 ? 0 : component;
   const bool is_odd = component < Deviator::size && is_odd_in_y(component);
   const bool is_loaded =
       std::any_of(kernels.begin(), kernels.end(), [](const auto* kernel) { return kernel != nullptr; });
   const auto threads = static_cast<int>(work.threads.size());
+  for (int first = 0; first < layers; first += layers_at_a_time)
+  {
+    const Exchange passed(*ranks, share, share.layers(), std::min(layers_at_a_time, layers - first), fft.blocks(),
+                          grid.surface.independent_rows());
 #pragma omp parallel for num_threads(threads) schedule(static) collapse(2)
-  for (int block = blocks.first; block < blocks.end; ++block)
-    for (int layer = 0; layer < layers; ++layer)
-    {
-      Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
-      const ComplexLanes* column = spectra + plane_at(fft, block, planes_of_layer * layer + place);
-      if (is_loaded)
+    for (int block = blocks.first; block < blocks.end; ++block)
+      for (int unit = 0; unit < passed.units(); ++unit)
       {
-        ComplexLanes* const sum = scratch.fft.column.data();
-        TractionStress::add(kernels, block, component, layer, surface_fft.waves_along_y(), surface_spectra(block, work),
-                            column, next_block(fft, block, column), sum);
-        column = sum;
+        const int layer = first + unit;
+        Work::Buffers::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())];
+        const ComplexLanes* column = spectra + plane_at(fft, block, planes_of_layer * layer + place);
+        if (is_loaded)
+        {
+          ComplexLanes* const sum = scratch.fft.column.data();
+          TractionStress::add(kernels, block, component, layer, surface_fft.waves_along_y(),
+                              surface_spectra(block, work), column, next_block(fft, block, column), sum);
+          column = sum;
+        }
+        surface_fft.columns_inverse(column, 0, 0, passing.of_blocks.data() + passed.place(unit, block), scratch.fft,
+                                    is_odd);
       }
-      surface_fft.columns_inverse(column, 0, 0, passing.of_blocks.data() + passed.place(layer, block), scratch.fft,
-                                  is_odd);
-    }
-  passed.to_planes(passing.of_blocks.data(), passing.of_planes.data());
+    passed.to_planes(passing.of_blocks.data(), passing.of_planes.data());
+    const int own_first = first / share.ranks();
 #pragma omp parallel for num_threads(threads) schedule(static)
-  for (int own_layer = 0; own_layer < passed.own_units(); ++own_layer)
-    surface_fft.rows_inverse_from(passing.of_planes.data() + own_layer * rows, {passed.apart(), false},
-                                  fields + static_cast<std::size_t>(place * own.nz + own_layer) * grid.surface.size(),
-                                  work.threads[static_cast<std::size_t>(omp_get_thread_num())].fft);
+    for (int own_unit = 0; own_unit < passed.own_units(); ++own_unit)
+      surface_fft.rows_inverse_from(passing.of_planes.data() + own_unit * rows, {passed.apart(), false},
+                                    fields + static_cast<std::size_t>(place * own.nz + own_first + own_unit) *
+                                                 grid.surface.size(),
+                                    work.threads[static_cast<std::size_t>(omp_get_thread_num())].fft);
+  }
 }
 
 void HalfSpace::Operators::invert_traces_shared(const OfTraction<const TractionStress*>& kernels, int layers,
@@ -196,44 +210,56 @@ void HalfSpace::Operators::add_load_and_invert_mirrored_shared(const OfTraction<
                                                                Work::Buffers& work, std::span<double> stress) const
 {
   constexpr int planes = MirroredFft::planes_of_group;
-  const Exchange passed = exchange_mirrored(work.layers);
   const auto threads = static_cast<int>(work.threads.size());
-  for (int place = 0; place < planes; ++place)
+  const int groups = MirroredFft::groups(work.layers);
+  for (int first = 0; first < groups; first += units_at_a_time)
   {
-#pragma omp parallel for num_threads(threads) schedule(static) collapse(2)
-    for (int block = blocks.first; block < blocks.end; ++block)
-      for (int group = 0; group < MirroredFft::groups(work.layers); ++group)
-      {
-        const MirroredFft::Plane plane = MirroredFft::plane(planes * group + place, work.layers);
-        if (plane.is_empty())
-          continue;
-        MirroredFft::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored;
-        const ComplexLanes* first = total_stress(block, plane.first, kernels, work, scratch.of_parts[0].data());
-        const ComplexLanes* second = plane.second.is_there()
-                                         ? total_stress(block, plane.second, kernels, work, scratch.of_parts[1].data())
-                                         : nullptr;
-        mirrored_fft.columns_inverse_to(plane, first, second, passing.of_blocks.data() + passed.place(group, block),
-                                        scratch);
-      }
-    passed.to_planes(passing.of_blocks.data(), passing.of_planes.data());
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (int own_group = 0; own_group < passed.own_units(); ++own_group)
+    const Exchange passed = exchange(std::min(units_at_a_time, groups - first));
+    for (int place = 0; place < planes; ++place)
     {
-      const MirroredFft::Plane plane = MirroredFft::plane(planes * own_group + place, share.count(work.layers));
-      if (plane.is_empty())
-        continue;
-      own_mirrored_fft.rows_inverse_from(
-          plane, passing.of_planes.data() + static_cast<std::ptrdiff_t>(own_group) * mirrored_fft.rows(),
-          {passed.apart(), false}, stress.data(),
-          work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored);
-      for (const MirroredFft::Part& part : {plane.first, plane.second})
-        if (part.is_there())
+#pragma omp parallel for num_threads(threads) schedule(static) collapse(2)
+      for (int block = blocks.first; block < blocks.end; ++block)
+        for (int unit = 0; unit < passed.units(); ++unit)
         {
-          const int layer = share.layer(part.layer);
-          finish(part.component, layer, plastic_strain, work, stress.data() + field_at(part.component, layer));
+          const MirroredFft::Plane plane = MirroredFft::plane(planes * (first + unit) + place, work.layers);
+          if (plane.is_empty())
+            continue;
+          MirroredFft::Scratch& scratch = work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored;
+          const ComplexLanes* one = total_stress(block, plane.first, kernels, work, scratch.of_parts[0].data());
+          const ComplexLanes* other = plane.second.is_there()
+                                          ? total_stress(block, plane.second, kernels, work, scratch.of_parts[1].data())
+                                          : nullptr;
+          mirrored_fft.columns_inverse_to(plane, one, other, passing.of_blocks.data() + passed.place(unit, block),
+                                          scratch);
         }
+      passed.to_planes(passing.of_blocks.data(), passing.of_planes.data());
+      const int own_first = first / share.ranks();
+#pragma omp parallel for num_threads(threads) schedule(static)
+      for (int own_unit = 0; own_unit < passed.own_units(); ++own_unit)
+        invert_rows_mirrored_shared(
+            MirroredFft::plane(planes * (own_first + own_unit) + place, share.count(work.layers)),
+            passing.of_planes.data() + static_cast<std::ptrdiff_t>(own_unit) * mirrored_fft.rows(),
+            {passed.apart(), false}, plastic_strain, work, stress);
     }
   }
+}
+
+/// Stress of the layers of a plane of spectra along x. To be called by one thread.
+void HalfSpace::Operators::invert_rows_mirrored_shared(const MirroredFft::Plane& plane, const ComplexLanes* rows,
+                                                       const RowFft::Spectra& apart,
+                                                       std::span<const double> plastic_strain, Work::Buffers& work,
+                                                       std::span<double> stress) const
+{
+  if (plane.is_empty())
+    return;
+  own_mirrored_fft.rows_inverse_from(plane, rows, apart, stress.data(),
+                                     work.threads[static_cast<std::size_t>(omp_get_thread_num())].mirrored);
+  for (const MirroredFft::Part& part : {plane.first, plane.second})
+    if (part.is_there())
+    {
+      const int layer = share.layer(part.layer);
+      finish(part.component, layer, plastic_strain, work, stress.data() + field_at(part.component, layer));
+    }
 }
 
 } // namespace brinell::halfspace

@@ -30,7 +30,7 @@ std::span<double> as_numbers(ComplexLanes* values, std::size_t count)
 
 Exchange::Exchange(const Communicator& ranks, const Share& share, const Dealt& units, int of_units, int blocks,
                    int rows)
-    : ranks_(ranks), units_(units), rows_(rows), own_units_(units.count(share.rank(), of_units)),
+    : ranks_(ranks), units_(units), of_units_(of_units), rows_(rows), own_units_(units.count(share.rank(), of_units)),
       own_blocks_(share.blocks(blocks))
 {
   std::ptrdiff_t first = 0;

@@ -14,7 +14,8 @@ namespace brinell::halfspace
 {
 
 /// Passes rows of planes, transformed along x, from the ranks that have the planes to those that have the blocks of wavenumbers, and
-/// back. One plane of each layer, or of each pair of layers ("unit"), is passed at a time, so that the buffers are small.
+/// back. One plane of some layers, or of some pairs of layers ("units"), is passed at a time: the buffers are small, and the caches
+/// still have the rows when they are read again.
 ///   of planes  [block][own unit][row]                   what the ranks that have the planes send or receive
 ///   of blocks  [rank][own block][unit of the rank][row] what the ranks that have the blocks receive or send
 /// of ComplexLanes: nothing is packed on the side of the planes.
@@ -25,6 +26,7 @@ public:
   /// @param of_units  how many there are, from the first one
   Exchange(const Communicator& ranks, const Share& share, const Dealt& units, int of_units, int blocks, int rows);
 
+  [[nodiscard]] int units() const { return of_units_; }
   [[nodiscard]] int own_units() const { return own_units_; }
   /// Values from one block to the next on the side of the planes.
   [[nodiscard]] std::ptrdiff_t apart() const { return static_cast<std::ptrdiff_t>(own_units_) * rows_; }
@@ -39,7 +41,7 @@ public:
 private:
   const Communicator& ranks_;
   Dealt units_;
-  int rows_, own_units_;
+  int of_units_, rows_, own_units_;
   Portion own_blocks_;
   std::vector<int> units_of_;                      ///< by rank
   std::vector<std::ptrdiff_t> first_of_;           ///< place of the values of a rank on the side of the blocks

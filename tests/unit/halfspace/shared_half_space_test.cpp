@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/foundation/symmetry.hpp"
+#include "halfspace/strain/half_space_memory.hpp"
 #include "random_field.hpp"
 #include "ranks_as_threads.hpp"
 
@@ -171,6 +172,20 @@ TEST(SharedHalfSpace, LongHasTheDigitsOfOneThatIsNotShared)
   expect_alike(given(grid, 6, 5, 6), 2);
   std::swap(grid.nx, grid.ny);
   expect_alike(given(grid, 6, 5, 6), 2);
+}
+
+/// Layers of many cells are passed in several parts, the last of which has fewer layers.
+TEST(SharedHalfSpace, PartsOfTheLayersHaveTheDigitsOfOneThatIsNotShared)
+{
+  constexpr int ranks = 2, threads = 2;
+  const SurfaceGrid wide{.nx = 128, .ny = 128, .dx = 1e-6, .dy = 1.2e-6};
+  for (const bool mirrored : {false, true})
+  {
+    const SurfaceGrid grid = with(wide, Boundary::open, Boundary::open, mirrored);
+    const int nz = mirrored ? 19 : 11;
+    ASSERT_LT(layers_at_a_time(grid, ranks, threads), nz - 2);
+    expect_alike(given(grid, nz, nz - 1, nz), ranks);
+  }
 }
 
 TEST(SharedHalfSpace, MoreRanksThanPairsOfLayers)
