@@ -147,6 +147,17 @@ TEST_F(MemoryOfRanks, IsNearlyItsShareOfThatOfOne)
   EXPECT_GT(eight, 0.5 * four);
 }
 
+/// Contact of 512 x 512 periodic cells: 34 values per cell, as docs/theory/ranks.md tells, for any number of ranks.
+TEST_F(MemoryOfRanks, TellsWhatIsNotShared)
+{
+  for (const std::string ranks : {"2", "8"})
+  {
+    const Outcome outcome = check({"--ranks", ranks, "--machines", ranks});
+    EXPECT_NE(outcome.out.find("71.3 MB of it for contact and heat, which are not shared"), std::string::npos)
+        << outcome.out;
+  }
+}
+
 TEST_F(MemoryOfRanks, IsRefusedIfAMachineHasLess)
 {
   const std::vector<std::string> larger{"--set", "grid.cells=[4096, 4096]", "--ranks", "64"};

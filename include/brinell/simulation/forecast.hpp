@@ -88,6 +88,8 @@ struct Forecast
 
 /// Peak memory of the first of ranks that share the bodies of a case, which needs most [bytes]; with one rank that of a run.
 [[nodiscard]] double memory_of_rank(const Plan& plan, const PairCase& c, int ranks);
+/// Part of it that does not become less with more ranks: contact and heat [bytes].
+[[nodiscard]] double unshared_memory(const Plan& plan, const PairCase& c);
 
 /// Most numbers that a rank sends to others in an evaluation of all layers of both bodies, in bytes (docs/theory/ranks.md).
 [[nodiscard]] double bytes_sent_by_rank(const Plan& plan, int ranks);

@@ -190,6 +190,8 @@ std::string ranks_report(const Case& c, const ScenarioPlan& plan, int ranks, int
   const auto& p = std::visit([](const auto& any) -> const simulation::Plan& { return any; }, plan);
   const double each =
       std::visit([&](const auto& scenario) { return simulation::memory_of_rank(p, scenario, ranks); }, c.scenario);
+  const double unshared =
+      std::visit([&](const auto& scenario) { return simulation::unshared_memory(p, scenario); }, c.scenario);
   const int together = (ranks + machines - 1) / machines; // ranks of a machine
   if (together * each > available_memory)
     throw InputError(
@@ -198,9 +200,10 @@ std::string ranks_report(const Case& c, const ScenarioPlan& plan, int ranks, int
                     c.grid_source, together, size_text(each), size_text(together * each), size_text(available_memory)));
   const int layers = std::max(p.lower.nz, p.upper.nz), own = Share(0, ranks).count(layers);
   std::string text = fmt::format(
-      "# Ranks: {} with at most {} of {} layers each, {} of memory each; {} pass from a rank to others per evaluation; "
+      "# Ranks: {} with at most {} of {} layers each, {} of memory each, {} of it for contact and heat, which are "
+      "not shared; {} pass from a rank to others per evaluation; "
       "not less than {} of the time of one core\n",
-      ranks, own, layers, size_text(each), size_text(simulation::bytes_sent_by_rank(p, ranks)),
+      ranks, own, layers, size_text(each), size_text(unshared), size_text(simulation::bytes_sent_by_rank(p, ranks)),
       fmt::format("{:.2g} %", 100.0 * own / layers));
   if (const int pairs = (layers + 1) / 2; ranks > pairs)
     text += fmt::format("# Ranks: {} of them have no layers, which are dealt out in pairs\n", ranks - pairs);

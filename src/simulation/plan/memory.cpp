@@ -252,6 +252,13 @@ double bytes_sent_by_rank(const Plan& plan, int ranks)
   return bytes;
 }
 
+double unshared_memory(const Plan& plan, const PairCase& c)
+{
+  const MemoryParts parts =
+      memory_parts(plan, c.lower.material, c.upper.material, c.solver, plan.shears, is_heated(c) ? &c.heat : nullptr);
+  return parts.growth * (parts.contact + parts.heat);
+}
+
 double memory_of_rank(const Plan& plan, const PairCase& c, int ranks)
 {
   return memory_bytes(plan, c.lower.material, c.upper.material, c.solver, plan.shears, is_heated(c) ? &c.heat : nullptr,
