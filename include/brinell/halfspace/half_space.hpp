@@ -96,6 +96,22 @@ public:
   void stress_of_load(const SurfaceLoad& load, Work& work,
                       const std::function<void(int layer, std::span<const double> stress)>& use) const;
 
+  /// Buffers of `add_dilatation`; make one per concurrent caller, once. The first one also plans the operator, which bodies
+  /// without dilatation do not have.
+  class DilatationWork;
+  [[nodiscard]] DilatationWork make_dilatation_work() const;
+  /// Where to add the fields of a dilatation; an empty part is not computed.
+  struct Dilated
+  {
+    std::span<double> deviator{}, trace{}; ///< stress [Pa]; on a grid that `is_mirrored_y` only the independent rows
+    SurfaceDisplacement displacement{};    ///< of the surface [m], all rows
+  };
+  /// Adds the stress in the layers [0, layers) and the displacement by a dilatation e [-], the strain along each axis that a cell
+  /// without neighbours would have: by heat, a change of phase, or the part of an inclusion's equivalent strain that changes the
+  /// volume. On a grid that `is_mirrored_y` only the independent rows of e are read.
+  /// @throws InputError for a layered body, InternalError if ranks share it
+  void add_dilatation(std::span<const double> dilatation, int layers, DilatationWork& work, const Dilated& to) const;
+
 private:
   struct Operators; ///< transforms and kernels, and the functions that apply them
   std::unique_ptr<Operators> operators_;
@@ -112,6 +128,22 @@ public:
   Work& operator=(const Work&) = delete;
 
   [[nodiscard]] bool empty() const { return !buffers_; }
+
+private:
+  friend class HalfSpace;
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+class HalfSpace::DilatationWork
+{
+public:
+  DilatationWork(); ///< empty; HalfSpace::make_dilatation_work returns one that can be used
+  ~DilatationWork();
+  DilatationWork(DilatationWork&&) noexcept;
+  DilatationWork& operator=(DilatationWork&&) noexcept;
+  DilatationWork(const DilatationWork&) = delete;
+  DilatationWork& operator=(const DilatationWork&) = delete;
 
 private:
   friend class HalfSpace;

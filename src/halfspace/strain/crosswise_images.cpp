@@ -59,7 +59,8 @@ int CrosswiseImages::multiple(double period_x, double period_y)
   return std::max(1, static_cast<int>(std::ceil(aspect - (tolerated_aspect - 1.0))));
 }
 
-CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const ElasticStack& stack, double period_x, double period_y)
+CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const ElasticStack& stack, images::Source source,
+                                 double period_x, double period_y)
     : grid_(grid), along_x_(period_x > period_y), multiple_(multiple(period_x, period_y)), waves_(0),
       depth_(grid, stack,
              along_x_ ? gap(grid.surface.ny, grid.surface.dy, period_y)
@@ -89,7 +90,7 @@ CrosswiseImages::CrosswiseImages(const VolumeGrid& grid, const ElasticStack& sta
   coupling_ = WaveCoupling(waves_, depth_.count, degree, odd_across());
 #pragma omp parallel for schedule(dynamic)
   for (int wave = 0; wave < waves_; ++wave)
-    fit(wave, stack, period_along, period_across);
+    fit(wave, stack, source, period_along, period_across);
 }
 
 const std::array<int, stresses>& CrosswiseImages::odd_along() const
@@ -135,13 +136,14 @@ std::vector<images::WaveRow> CrosswiseImages::waves_across(int wave, double peri
 /// The factor of the kernel along the grid, cos or sin of m (x - x'), is a sum of products of cos and sin. With the moments
 /// sorted as u = (cos of an even component, sin of an odd one) and v = (sin of an even one, -cos of an odd one), the kernel maps
 /// u to u and v to v by the same matrix; the sign changes for an even stress by an odd strain.
-void CrosswiseImages::fit(int wave, const ElasticStack& stack, double period_along, double period_across)
+void CrosswiseImages::fit(int wave, const ElasticStack& stack, images::Source source, double period_along,
+                          double period_across)
 {
   const std::vector<images::WaveRow> waves = waves_across(wave, period_along, period_across);
-  const std::vector<double> samples = images::sampled(waves, depth_.nodes, stack);
+  const std::vector<double> samples = images::sampled(waves, depth_.nodes, stack, source);
   const std::array<int, 2> distances{along_x_ ? 1 : images::offset_nodes, along_x_ ? images::offset_nodes : 1};
   for (int c = 0; c < stresses; ++c)
-    for (int e = 0; e < strains; ++e)
+    for (int e = 0; e < images::components_of(source); ++e)
     {
       std::vector<images::Powers> terms;
       for (int b = images::is_odd(odd_across(), c, e) ? 1 : 0; b <= degree; b += 2)

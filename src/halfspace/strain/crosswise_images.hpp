@@ -27,7 +27,8 @@ public:
   [[nodiscard]] static int multiple(double period_x, double period_y);
 
   /// @param period_x, period_y  padded lengths [m], not equal
-  CrosswiseImages(const VolumeGrid& grid, const ElasticStack& stack, double period_x, double period_y);
+  CrosswiseImages(const VolumeGrid& grid, const ElasticStack& stack, images::Source source, double period_x,
+                  double period_y);
 
   /// Moments of the strain, and polynomial coefficients of the stress.
   struct Response
@@ -72,7 +73,7 @@ public:
 private:
   [[nodiscard]] int block() const { return 2 * waves_ * powers; } ///< values for one component and one depth
   [[nodiscard]] int lanes() const { return (2 * waves_ + lane_count - 1) / lane_count; } ///< of all waves of a cell
-  void fit(int wave, const ElasticStack& stack, double period_along, double period_across);
+  void fit(int wave, const ElasticStack& stack, images::Source source, double period_along, double period_across);
   [[nodiscard]] std::vector<images::WaveRow> waves_across(int wave, double period_along, double period_across) const;
   void multiply(int part, Response& response, bool is_mirrored, int components) const;
   [[nodiscard]] const std::array<int, images::stresses>& odd_along() const;

@@ -4,6 +4,7 @@
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
+#include "dilatation_stress.hpp"
 #include "eigenstrain_stress.hpp"
 #include "foundation/lazy.hpp"
 #include "halfspace/traction/traction_stress.hpp"
@@ -101,6 +102,8 @@ struct HalfSpace::Operators
   int layers_at_a_time; ///< number of layers passed between ranks at a time, in whole turns
   int units_at_a_time;  ///< number of units: layers, or of mirror images pairs of layers
 
+  double shortest_wave; ///< see EigenstrainStress
+
   /// @param shortest  see EigenstrainStress
   Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by);
 
@@ -112,6 +115,8 @@ struct HalfSpace::Operators
   /// @param trace  nullptr, or becomes the spectra of the trace of the stress; on a rank without wavenumbers these are empty
   void load_strain(std::span<const double> plastic_strain, int layers, Displacements displacements, Work::Buffers& work,
                    AlignedVector<ComplexLanes>* trace) const;
+  /// The operator of a dilatation, of a homogeneous body.
+  [[nodiscard]] const DilatationStress& dilatation_stress() const;
   /// Transforms the load on the surface.
   void load_surface(const SurfaceLoad& load, Work::Buffers& work) const;
   void add_load_and_invert(const SurfaceLoad& load, std::span<const double> plastic_strain, Work::Buffers& work,
@@ -225,6 +230,7 @@ private:
   void sum_displacement(int block, const SpectrumRows& rows, int parts,
                         const OfTraction<const TractionStress*>& kernels, Work::Buffers& work) const;
   OfTraction<Lazy<TractionStress>> kernels_;
+  Lazy<DilatationStress> dilatation_;
 };
 
 } // namespace brinell::halfspace

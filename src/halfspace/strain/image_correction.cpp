@@ -113,7 +113,8 @@ std::array<Period, 2> periods_left(const SurfaceGrid& s, const BlockedFft& fft)
 
 } // namespace
 
-ImageCorrection::ImageCorrection(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft)
+ImageCorrection::ImageCorrection(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft,
+                                 images::Source source)
     : grid_(grid), has_images_(!grid.surface.is_periodic()), x_(images::coordinate_powers(grid.surface.nx, degree)),
       y_(images::coordinate_powers(grid.surface.ny, degree)),
       depth_(grid, stack,
@@ -128,20 +129,20 @@ ImageCorrection::ImageCorrection(const VolumeGrid& grid, const ElasticStack& sta
   const double period_x = fft.px() * s.dx;
   const double period_y = fft.py() * s.dy;
   if (!s.is_periodic_x() && !s.is_periodic_y() && CrosswiseImages::multiple(period_x, period_y) > 1)
-    crosswise_.emplace(grid, stack, period_x, period_y);
-  fit(stack, periods_left(s, fft)[0].length, periods_left(s, fft)[1].length);
+    crosswise_.emplace(grid, stack, source, period_x, period_y);
+  fit(stack, source, periods_left(s, fft)[0].length, periods_left(s, fft)[1].length);
 }
 
-void ImageCorrection::fit(const ElasticStack& stack, double period_x, double period_y)
+void ImageCorrection::fit(const ElasticStack& stack, images::Source source, double period_x, double period_y)
 {
   const SurfaceGrid& s = grid_.surface;
   const double largest_x = std::max(1, s.nx - 1) * s.dx;
   const double largest_y = std::max(1, s.ny - 1) * s.dy;
   const std::vector<images::WaveRow> waves =
       waves_of_images({period_x, !s.is_periodic_x()}, {period_y, !s.is_periodic_y()}, largest_x, largest_y);
-  const std::vector<double> samples = images::sampled(waves, depth_.nodes, stack);
+  const std::vector<double> samples = images::sampled(waves, depth_.nodes, stack, source);
   for (int c = 0; c < stresses; ++c)
-    for (int e = 0; e < strains; ++e)
+    for (int e = 0; e < images::components_of(source); ++e)
     {
       const bool odd_x = images::is_odd(images::odd_in_x, c, e);
       const bool odd_y = images::is_odd(images::odd_in_y, c, e);

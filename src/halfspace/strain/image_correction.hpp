@@ -30,7 +30,8 @@ namespace brinell::halfspace
 class ImageCorrection
 {
 public:
-  ImageCorrection(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft);
+  ImageCorrection(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft,
+                  images::Source source = images::Source::plastic_strain);
 
   /// Polynomial coefficients of the stress of the images, and the moments from which they are computed.
   struct Response
@@ -60,7 +61,7 @@ private:
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
   [[nodiscard]] static constexpr int monomial(int a, int b) { return MomentCoupling::monomial(a, b); }
 
-  void fit(const ElasticStack& stack, double period_x, double period_y);
+  void fit(const ElasticStack& stack, images::Source source, double period_x, double period_y);
   void find_moments(int layers, Response& response) const;
   /// Powers of y in the moments of a field.
   enum class PowersOfY

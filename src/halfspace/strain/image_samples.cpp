@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_samples.hpp"
 
+#include "brinell/foundation/error.hpp"
 #include "foundation/lane_functions.hpp"
 #include "green/sheet_stress.hpp"
 #include "stack_image_samples.hpp"
@@ -78,17 +79,27 @@ green::SheetSource<ComplexLanes> unit_sheet(int component, const green::WaveDire
   return {spread(sheet.down), spread(sheet.up)};
 }
 
+/// The waves of a sheet that would grow by 1 in all directions (stack-strain).
+green::SheetSource<ComplexLanes> dilated_sheet(double nu)
+{
+  const ComplexLanes zero{};
+  const green::SheetWave<ComplexLanes> wave{in_all_lanes(2.0 * (1.0 + nu)), zero, zero};
+  return {wave, wave};
+}
+
 /// Adds the stress of sheets with one wave, [strain][stress][distance in x].
-void add_wave(const WaveRow::Wave& wave, double n, const DepthPairs& depths, const Elastic& elastic, Lanes* sum)
+void add_wave(const WaveRow::Wave& wave, double n, const DepthPairs& depths, const Elastic& elastic, Source source,
+              Lanes* sum)
 {
   const double k = std::hypot(wave.m, n);
   const green::SheetPath<Lanes> path = path_of(k, depths);
   const green::WaveDirection<double> towards = green::direction_of(wave.m, n);
   const green::SheetStiffness stiffness(k, elastic);
-  for (int e = 0; e < strains; ++e)
+  const double nu = elastic.poisson_ratio;
+  for (int e = 0; e < components_of(source); ++e)
   {
-    const auto [xx, yy, yz, xz, xy, trace] = green::sheet_stress(unit_sheet(e, towards, elastic.poisson_ratio), path,
-                                                                 stiffness, towards, elastic.poisson_ratio);
+    const auto sheet = source == Source::dilatation ? dilated_sheet(nu) : unit_sheet(e, towards, nu);
+    const auto [xx, yy, yz, xz, xy, trace] = green::sheet_stress(sheet, path, stiffness, towards, nu);
     const std::array<const ComplexLanes*, stresses> values{&xx, &yy, &yz, &xz, &xy, &trace};
     for (int c = 0; c < stresses; ++c)
     {
@@ -104,7 +115,8 @@ void add_wave(const WaveRow::Wave& wave, double n, const DepthPairs& depths, con
 }
 
 /// Sums of the waves for the pairs of depths, [strain][stress][distance in y][distance in x].
-std::vector<Lanes> sum_of_waves(std::span<const WaveRow> rows, const DepthPairs& depths, const Elastic& elastic)
+std::vector<Lanes> sum_of_waves(std::span<const WaveRow> rows, const DepthPairs& depths, const Elastic& elastic,
+                                Source source)
 {
   const std::size_t along_x = rows.front().waves.front().in_x[0].size(), along_y = rows.front().in_y[0].size();
   std::vector<Lanes> sums(components * along_x * along_y), in_row(components * along_x);
@@ -112,7 +124,7 @@ std::vector<Lanes> sum_of_waves(std::span<const WaveRow> rows, const DepthPairs&
   {
     std::fill(in_row.begin(), in_row.end(), Lanes{});
     for (const WaveRow::Wave& wave : row.waves)
-      add_wave(wave, row.n, depths, elastic, in_row.data());
+      add_wave(wave, row.n, depths, elastic, source, in_row.data());
     const Lanes* from = in_row.data();
     Lanes* sum = sums.data();
     for (int e = 0; e < strains; ++e)
@@ -232,10 +244,15 @@ Phases phases(double k, double largest)
   return result;
 }
 
-std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths, const ElasticStack& stack)
+std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths, const ElasticStack& stack,
+                            Source source)
 {
   if (!stack.is_homogeneous())
+  {
+    if (source != Source::plastic_strain)
+      throw InternalError("images of a dilatation in a layered body are not known");
     return sampled_in_layers(rows, depths, stack);
+  }
   const Elastic& elastic = stack.substrate;
   const std::size_t depth_pairs = depths.size() * depths.size();
   const std::size_t block = components * rows.front().waves.front().in_x[0].size() * rows.front().in_y[0].size();
@@ -243,7 +260,7 @@ std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<dou
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t first = 0; first < depth_pairs; first += lane_count)
   {
-    const std::vector<Lanes> sums = sum_of_waves(rows, DepthPairs(depths, first), elastic);
+    const std::vector<Lanes> sums = sum_of_waves(rows, DepthPairs(depths, first), elastic, source);
     const std::size_t used = std::min<std::size_t>(lane_count, depth_pairs - first);
     for (std::size_t lane = 0; lane < used; ++lane)
       for (std::size_t i = 0; i < block; ++i)

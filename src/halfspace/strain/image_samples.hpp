@@ -19,6 +19,18 @@ inline constexpr int strains = Deviator::size;      ///< number of components of
 inline constexpr int stresses = Deviator::size + 1; ///< number of components of the stress: deviator, then the trace
 inline constexpr int offset_nodes = 6;              ///< number of distances along each axis
 
+/// Cause of images: a plastic strain, or a dilatation, which stands in the place of the first component of the strain. The others
+/// are then zero.
+enum class Source
+{
+  plastic_strain,
+  dilatation
+};
+[[nodiscard]] constexpr int components_of(Source source)
+{
+  return source == Source::dilatation ? 1 : strains;
+}
+
 /// 1 for components that change their sign if x (or y) is mirrored, otherwise 0; in the order of Deviator, then the trace.
 inline constexpr std::array<int, stresses> odd_in_x{0, 0, 0, 1, 1, 0};
 inline constexpr std::array<int, stresses> odd_in_y{0, 0, 1, 0, 1, 0};
@@ -73,7 +85,7 @@ inline constexpr double shortest = 7.0;
 
 /// Sum of the waves. @returns [depth of stress][depth of strain][strain][stress][distance in y][distance in x].
 [[nodiscard]] std::vector<double> sampled(std::span<const WaveRow> rows, const std::vector<double>& depths,
-                                          const ElasticStack& stack);
+                                          const ElasticStack& stack, Source source);
 
 /// Powers of the two distances, each divided by the largest one.
 using Powers = std::array<int, 2>;

@@ -340,4 +340,19 @@ void TractionStress::add_displacement(int block, int layer, int rows, const Comp
   traction_ == Traction::pressure ? add_as(std::true_type{}) : add_as(std::false_type{});
 }
 
+void TractionStress::add_displacement_by_dilatation(int block, int layer, int rows, const ComplexLanes* dilatation,
+                                                    ComplexLanes* displacement) const
+{
+  const Lanes* const k = kernel(block, layer, trace);
+  const Parity of_trace = parity(trace);
+  const bool is_imaginary = of_trace.is_imaginary();
+  for_rows(rows, fft_,
+           [&](int row, int stored, auto below)
+           {
+             const Lanes number = below && of_trace.odd_y ? -k[stored] : k[stored];
+             const ComplexLanes part = (grid_.dz * number) * dilatation[row];
+             displacement[row] = displacement[row] + (is_imaginary ? -1.0 * times_i(part) : part);
+           });
+}
+
 } // namespace brinell::halfspace

@@ -56,6 +56,9 @@ public:
   /// @param strain        [component][pitch], traceless
   /// @param displacement  [row]
   void add_displacement(int block, int layer, int rows, const ComplexLanes* strain, ComplexLanes* displacement) const;
+  /// Displacement by a dilatation, a strain that is equal in all directions, [row].
+  void add_displacement_by_dilatation(int block, int layer, int rows, const ComplexLanes* dilatation,
+                                      ComplexLanes* displacement) const;
 
 private:
   /// Kernels of a layer, one per component of the stress.
