@@ -4,8 +4,10 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
+#include "brinell/green/stack.hpp"
 #include "eshelby.hpp"
 #include "mirrored_grid.hpp"
+#include "order.hpp"
 #include "periodic_grids.hpp"
 #include "random_field.hpp"
 #include "volume_fields.hpp"
@@ -18,6 +20,8 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -193,6 +197,53 @@ InclusionField random_stress(const Inclusions& inclusions, unsigned seed)
   field.deviator = test::random_field(field.deviator.size(), seed);
   field.volumetric = test::random_field(field.volumetric.size(), seed + 1);
   return field;
+}
+
+// An inclusion that fills the uppermost layers of a periodic surface is a coating: displacement and stress under a wave of pressure are those of the
+// waves in bonded layers (green/stack), which know no equivalent strain. Cells halved in all directions: second order.
+TEST(InclusionsTest, WholeLayersAreACoating)
+{
+  const double length = 16.0, thickness = 4.0, k = 2.0 * std::numbers::pi / length;
+  for (const Elastic& coating : {Elastic{4.0, 0.2}, Elastic{0.3, 0.4}})
+  {
+    const ElasticStack stack{{{thickness, coating}}, body_material};
+    const green::StackWave wave(stack, k);
+    const double mu = body_material.shear_modulus(), nu = body_material.poisson_ratio;
+    const double homogeneous = (1.0 - nu) / (mu * k);
+    std::vector<double> of_displacement, of_stress;
+    for (const int cells : {12, 24, 48})
+    {
+      const double d = length / cells, dz = thickness * 6.0 / cells;
+      const VolumeGrid grid{periodic(cells, 2, d, d), cells / 6, dz};
+      const HalfSpace body(grid, body_material);
+      std::vector<std::size_t> all(grid.size());
+      std::iota(all.begin(), all.end(), std::size_t{0});
+      Inclusions inclusions(body, {{coating, all}});
+      std::vector<double> pressure(grid.surface.size());
+      for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < cells; ++i)
+          pressure[grid.surface.index(i, j)] = std::cos(k * i * d);
+      const test::StressField load(body, pressure, {});
+      InclusionField given = inclusions.make_field(), equivalent = given;
+      inclusions.gather(load.deviator, load.trace, given);
+      (void)inclusions.solve(given, equivalent, 1e-10);
+      std::vector<double> u(grid.surface.size());
+      inclusions.add(equivalent, 0, {{}, {}, {u, {}, {}}});
+      const double expected = wave.compliance().normal - homogeneous;
+      of_displacement.push_back(std::abs(u[0] - expected) / std::abs(expected));
+      // Layer in the lower half of the coating.
+      const int layer = grid.nz / 2;
+      const green::WaveStress mean = wave.mean_stress(
+          green::WaveLoad::pressure, wave.field_of(green::WaveLoad::pressure), 0, layer * dz, (layer + 1) * dz);
+      const SymTensor stress = total(inclusions, given, equivalent)[grid.index(0, 0, layer)];
+      of_stress.push_back(
+          std::max({std::abs(stress[0] - mean.ll), std::abs(stress[1] - mean.tt), std::abs(stress[2] - mean.zz)}));
+    }
+    EXPECT_GT(test::Orders("coating of cells, displacement", of_displacement).last, 1.6);
+    EXPECT_LT(of_displacement.back(), 0.01);
+    EXPECT_GT(test::Orders("coating of cells, stress", of_stress).last, 1.6);
+    EXPECT_LT(of_stress.back(), 0.01);
+  }
 }
 
 // The equations of all cells as a matrix, solved directly for the stress: sigma + H (1/C_1 - 1/C_0) sigma = sigma_0.
