@@ -10,6 +10,7 @@
 #include "brinell/foundation/layered_fields.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/halfspace/half_space.hpp"
+#include "brinell/halfspace/inclusions.hpp"
 
 #include <functional>
 #include <memory>
@@ -78,6 +79,8 @@ struct BodySettings
   /// With short cuts: compute only the columns of the active cells and of the load until an evaluation closes the increment; see
   /// Settings::windows.
   bool windows = false;
+  /// Cells of other elastic constants. The body is then computed in all columns, must be able to yield, and takes no heat.
+  std::vector<halfspace::Inclusion> inclusions{};
 };
 
 /// Sides of a body's grid.
@@ -214,6 +217,7 @@ public:
   [[nodiscard]] const Share& share() const { return parts_.share; }
   /// The ranks that share the body.
   [[nodiscard]] const Communicator& ranks() const { return *parts_.ranks; }
+  [[nodiscard]] bool has_inclusions() const { return !parts_.settings.inclusions.empty(); }
   [[nodiscard]] const constitutive::Material& material() const { return parts_.yield.material; }
   /// Of a body that ranks share, with the fields of the own layers.
   [[nodiscard]] const BodyState& state() const { return parts_.state; }

@@ -17,10 +17,12 @@
 namespace brinell::elastoplastic
 {
 
-/// Textures of the surfaces before the first load, on the material grids, as depth into the body [m]; empty: smooth.
+/// Textures of the surfaces before the first load, on the material grids, as depth into the body [m]; empty: smooth. And inclusions in
+/// the bodies, in cells of these grids.
 struct Textures
 {
   std::vector<double> lower, upper;
+  std::vector<halfspace::Inclusion> lower_inclusions{}, upper_inclusions{};
 };
 
 /// Pressure, gap and approach at the end of an increment.

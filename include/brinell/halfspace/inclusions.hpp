@@ -72,7 +72,7 @@ public:
   /// Stress that the equivalent strain causes in the cells of the inclusions [Pa].
   void stress(const InclusionField& equivalent, InclusionField& out);
   /// Adds the stress of the equivalent strain to fields of the body, in the layers [0, layers), and its displacement to the surface.
-  /// @param to  as HalfSpace::Dilated; the displacement is computed along z, and along x and y if they are given
+  /// @param to  as HalfSpace::Dilated, but all rows of the stress
   void add(const InclusionField& equivalent, int layers, const HalfSpace::Dilated& to);
   /// Means of a field of the body over the cells of the inclusions.
   void gather(std::span<const double> deviator, std::span<const double> trace, InclusionField& out);

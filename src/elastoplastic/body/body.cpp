@@ -157,6 +157,8 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
 {
   BodyParts& b = parts_;
   const std::size_t n = b.grid.size();
+  if (has_inclusions() && !material.is_plastic())
+    throw InputError("a body with inclusions cannot yield; allowed: a body with a hardening law");
   if (!material.elastic.is_rigid())
   {
     b.state.plastic_strain.assign(Deviator::size * n, 0.0);
@@ -253,6 +255,8 @@ void Body::set_thermal_stress(std::span<const double> deviator)
   BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
+  if (has_inclusions())
+    throw InputError("a body with inclusions is heated; allowed: inclusions without heat");
   b.trial.thermal_stress = own_layers(deviator);
   b.trial.has_thermal_stress = true;
 }

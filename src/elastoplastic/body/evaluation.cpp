@@ -89,7 +89,12 @@ Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::
     displacement_[1] = displacement_[0];
   if (is_plastic_ && settings.displacements == Displacements::all)
     displacement_[2] = displacement_[0];
-  if (is_plastic_ && shortcuts_ && settings.windows)
+  if (!settings.inclusions.empty())
+    embedded_ = std::make_unique<Embedded>(
+        *half_space_, settings.inclusions,
+        static_cast<std::size_t>(std::count_if(displacement_.begin(), displacement_.end(),
+                                               [](const auto& component) { return !component.empty(); })));
+  else if (is_plastic_ && shortcuts_ && settings.windows)
     window_ = std::make_unique<Window>(grid_, material.stack(), half_space_->shared_ranks());
 }
 
@@ -125,6 +130,8 @@ void Evaluation::follow(const ActiveCells& active, std::size_t first)
   const int own_deepest = active.empty() ? 0 : share_.layer(static_cast<int>(layer_of(active.deepest())));
   const int deepest = is_plastic_ ? static_cast<int>(ranks().largest(own_deepest)) : 0;
   layers_ = shortcuts_ ? std::min(grid_.nz, deepest + 1 + spare_layers) : grid_.nz;
+  if (embedded_)
+    layers_ = std::max(layers_, embedded_->layers());
   if (!windowed_)
     return;
   bool is_at_end = false;
@@ -150,7 +157,7 @@ double Evaluation::load(const BodyState& state, const ActiveCells& active)
   }
   else
     load_strain();
-  const double change = change_since(before);
+  const double change = larger(change_since(before), embedded_ ? embedded_->error() : 0.0);
   was_windowed_ = windowed_;
   return change;
 }
@@ -186,7 +193,7 @@ Displacements Evaluation::wanted() const
 /// Transforms the strain of the trial in all columns, and computes the displacement.
 void Evaluation::load_strain()
 {
-  const bool with_trace = (keeps_trace_ || !watched_.empty()) && is_whole();
+  const bool with_trace = embedded_ || ((keeps_trace_ || !watched_.empty()) && is_whole());
   loaded_.emplace(half_space_->load(strain_, layers_, work_, wanted(), with_trace));
   find_displacements(wanted());
 }
@@ -199,6 +206,9 @@ void Evaluation::find_displacements(Displacements wanted)
   if (wanted == Displacements::all)
     found.y = displacement_[2];
   loaded_->displacement(found);
+  for (std::size_t axis = 0; embedded_ && axis < displacement_.size(); ++axis)
+    if (const std::array parts{found.z, found.x, found.y}; !parts[axis].empty())
+      embedded_->add_displacement(axis, parts[axis]);
   knows_displacement_x_ = wanted != Displacements::normal;
 }
 
@@ -210,6 +220,8 @@ void Evaluation::find_displacement_x(std::span<const double> strain)
   prepare_work();
   loaded_.reset();
   half_space_->load(strain, 0, work_, Displacements::along_x).displacement({.x = displacement_[1]});
+  if (embedded_)
+    embedded_->add_displacement(1, displacement_[1]);
   knows_displacement_x_ = true;
 }
 
@@ -243,6 +255,8 @@ void Evaluation::stress(const halfspace::SurfaceLoad& load, std::span<const doub
   if (windowed_)
     return window_->stress(load, thermal, stress, work_);
   loaded_->stress(load, stress);
+  if (embedded_)
+    embedded_->update(*loaded_, load, layers_, stress);
   if (!watched_.empty() && is_whole())
     watched_.find_traces(*loaded_, load);
   const int rows = grid_.surface.independent_rows();
@@ -255,9 +269,11 @@ void Evaluation::compute_anew(const BodyState& state, const halfspace::SurfaceLo
 {
   work_ = half_space_->make_work();
   const Displacements all = wanted();
-  loaded_.emplace(half_space_->load(state.plastic_strain, grid_.nz, work_, all));
-  find_displacements(all);
+  loaded_.emplace(half_space_->load(state.plastic_strain, grid_.nz, work_, all, embedded_ != nullptr));
   loaded_->stress(load, stress);
+  if (embedded_)
+    embedded_->update(*loaded_, load, grid_.nz, stress);
+  find_displacements(all);
   initial_stress_.add_to(stress, own_.nz, own_.surface.ny);
   add_thermal_stress(own_, state.thermal_stress, own_.nz, own_.surface.ny, stress);
   commit(load);
@@ -266,6 +282,8 @@ void Evaluation::compute_anew(const BodyState& state, const halfspace::SurfaceLo
 void Evaluation::restore(const BodyState& state)
 {
   watched_.forget_traces();
+  if (embedded_)
+    embedded_->restore();
   const auto fields = displacements_of(state);
   for (std::size_t axis = 0; axis < fields.size(); ++axis)
     displacement_[axis] = *fields[axis];
@@ -280,12 +298,16 @@ void Evaluation::store(BodyState& state) const
 
 void Evaluation::commit(const halfspace::SurfaceLoad& load)
 {
+  if (embedded_)
+    embedded_->commit();
   if (window_)
     copy_load(load, committed_load_);
 }
 
 void Evaluation::exchange(Archive& archive)
 {
+  if (embedded_)
+    archive("inclusions", *embedded_);
   if (!window_)
     return;
   for (std::size_t part = 0; part < committed_load_.size(); ++part)
@@ -299,6 +321,8 @@ void Evaluation::full_stress(const halfspace::SurfaceLoad& load, std::span<const
   if (!is_plastic_ || work_.empty())
     work_ = half_space_->make_work();
   half_space_->full_stress(load, strain, work_, deviator, trace, layers);
+  if (embedded_)
+    embedded_->add_stress(std::min(layers, grid_.nz), deviator, trace);
   initial_stress_.add_to(deviator, own_.nz, own_.surface.ny);
   for (std::size_t i = 0; i < trace.size(); ++i)
     trace[i] += 2.0 * initial_stress_.at(layer_of(i));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/elastoplastic/body.hpp"
+#include "embedded.hpp"
 #include "initial_stress.hpp"
 #include "watched_cells.hpp"
 #include "window.hpp"
@@ -105,13 +106,14 @@ private:
   std::array<std::vector<double>, 3> displacement_;
   bool knows_displacement_x_ = false; ///< whether it is that of the present trial
 
-  std::unique_ptr<Window> window_; ///< nullptr: none
-  bool windowed_ = false;          ///< the current evaluation is restricted to the window
-  bool was_windowed_ = false;      ///< the previous one was, in the present box of the window
-  bool wants_all_cells_ = false;   ///< the next evaluation is to compute all cells
-  bool may_use_window_ = false;    ///< no evaluation of this increment has computed all cells
-  int shift_ = 0;                  ///< by which the contact moves in the increment [cells]
-  StoredLoad committed_load_;      ///< of the state; with a window
+  std::unique_ptr<Embedded> embedded_; ///< nullptr: no inclusions
+  std::unique_ptr<Window> window_;     ///< nullptr: none
+  bool windowed_ = false;              ///< the current evaluation is restricted to the window
+  bool was_windowed_ = false;          ///< the previous one was, in the present box of the window
+  bool wants_all_cells_ = false;       ///< the next evaluation is to compute all cells
+  bool may_use_window_ = false;        ///< no evaluation of this increment has computed all cells
+  int shift_ = 0;                      ///< by which the contact moves in the increment [cells]
+  StoredLoad committed_load_;          ///< of the state; with a window
 
   WatchedCells watched_;            ///< by `stress_at`
   bool keeps_trace_ = false;        ///< evaluations of all cells prepare the trace in all of them

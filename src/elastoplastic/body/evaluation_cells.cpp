@@ -14,7 +14,7 @@ std::vector<Body::CellStress> Evaluation::stress_at(std::span<const std::size_t>
     return elastic_stress_at(cells, load);
   const std::size_t n = grid_.size();
   std::vector<Body::CellStress> result;
-  if (!watched_.watch(cells))
+  if (embedded_ || !watched_.watch(cells))
   {
     std::vector<double> deviator(Deviator::size * n), trace(n);
     full_stress(load, state.plastic_strain, deviator, trace,
@@ -51,7 +51,7 @@ void Evaluation::for_layers(const halfspace::SurfaceLoad& load, const BodyState&
   std::vector<double> deviator;
   layer_trace_.resize(n);
   const double* of_state = state.stress.data();
-  const bool is_known = loaded_ && loaded_->has_trace();
+  const bool is_known = !embedded_ && loaded_ && loaded_->has_trace();
   if (is_known)
     loaded_->traces(load, layer_trace_);
   else

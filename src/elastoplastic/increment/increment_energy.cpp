@@ -26,7 +26,8 @@ bool CoupledContact::has_energy(contact::Drive::Kind drive) const
   const ContactParts& c = *parts_;
   return drive != contact::Drive::Kind::mean_gap &&
          std::all_of(c.sides.begin(), c.sides.end(),
-                     [](const Side& side) { return side.body.material().kinematic.empty(); });
+                     [](const Side& side)
+                     { return side.body.material().kinematic.empty() && !side.body.has_inclusions(); });
 }
 
 double CoupledContact::elastic_energy() const

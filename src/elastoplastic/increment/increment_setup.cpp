@@ -103,12 +103,21 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),
                              .windows = settings.windows};
-  c.sides.push_back({.body = Body(lower, half_space, lower_material, of_body), .place = &Placement::lower});
+  if (twin != Twin::none && !(c.textures.lower_inclusions.empty() && c.textures.upper_inclusions.empty()))
+    throw InternalError("CoupledContact: bodies with inclusions are not twins");
+  const auto with = [&](const std::vector<halfspace::Inclusion>& inclusions)
+  {
+    BodySettings one = of_body;
+    one.inclusions = inclusions;
+    return one;
+  };
+  c.sides.push_back(
+      {.body = Body(lower, half_space, lower_material, with(c.textures.lower_inclusions)), .place = &Placement::lower});
   if (twin == Twin::none)
-    c.sides.push_back(
-        {.body = Body(upper, are_alike ? half_space : operators(upper, upper_material, ranks), upper_material, of_body),
-         .place = &Placement::upper,
-         .shear_sign = -1.0});
+    c.sides.push_back({.body = Body(upper, are_alike ? half_space : operators(upper, upper_material, ranks),
+                                    upper_material, with(c.textures.upper_inclusions)),
+                       .place = &Placement::upper,
+                       .shear_sign = -1.0});
 }
 
 void CoupledContact::set_softening(std::span<const double> lower, std::span<const double> upper)

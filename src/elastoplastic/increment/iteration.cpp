@@ -76,7 +76,7 @@ public:
   IncrementReport solution();
 
 private:
-  [[nodiscard]] bool has_unknowns() const;
+  [[nodiscard]] bool has_unknowns() const; ///< trials, or the equivalent strain of inclusions
   [[nodiscard]] bool all_sides(Scope scope) const;
   [[nodiscard]] bool evaluate();
   void find_displacements();
@@ -143,7 +143,8 @@ bool Iteration::evaluate()
 
 bool Iteration::has_unknowns() const
 {
-  return std::any_of(c_.sides.begin(), c_.sides.end(), [](const Side& side) { return side.body.active_of_all() > 0; });
+  return std::any_of(c_.sides.begin(), c_.sides.end(),
+                     [](const Side& side) { return side.body.active_of_all() > 0 || side.body.has_inclusions(); });
 }
 
 /// Whether the last evaluation of all bodies computed this much.

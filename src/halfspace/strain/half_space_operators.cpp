@@ -38,8 +38,8 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
       trace_fft(volume.surface, surface_fft.px(), surface_fft.py(), volume.nz),
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       own_mirrored_fft(own, surface_fft.px(), surface_fft.py()), blocks(share.blocks(surface_fft.blocks())),
-      image_correction(volume, stack, surface_fft), shortest_wave(shortest), layers_at_a_time(volume.nz),
-      units_at_a_time(volume.nz)
+      image_correction(volume, stack, surface_fft), layers_at_a_time(volume.nz), units_at_a_time(volume.nz),
+      shortest_wave(shortest)
 {
   if (stack.is_homogeneous())
     eigenstrain_stress.emplace(volume, stack.substrate, surface_fft, shortest);

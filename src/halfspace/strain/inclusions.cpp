@@ -109,6 +109,7 @@ struct Inclusions::Parts
   void find_means(const HalfSpace::Loaded& loaded, int computed);
   void complete(std::vector<double>& deviators, std::vector<double>& traces) const;
   [[nodiscard]] InclusionField sharp_stress(const InclusionField& equivalent);
+  void add_sharp(const InclusionField& sharp);
   void gather(std::span<const double> all_deviators, std::span<const double> traces, InclusionField& out) const;
   void stress(const InclusionField& equivalent, InclusionField& out);
   /// Scalar product of vectors of the unknown, [component or volume][cell].
@@ -253,6 +254,17 @@ void Inclusions::Parts::stress(const InclusionField& equivalent, InclusionField&
     out.volumetric[i] += sharp.volumetric[i];
 }
 
+/// Adds it to the independent rows of the fields of the body.
+void Inclusions::Parts::add_sharp(const InclusionField& sharp)
+{
+  for (std::size_t i = 0; i < size(); ++i)
+  {
+    for (std::size_t c = 0; c < Deviator::size; ++c)
+      deviator[c * body.grid().size() + cells[i]] += sharp.deviator[c * size() + i];
+    trace[cells[i]] += sharp.volumetric[i];
+  }
+}
+
 double Inclusions::Parts::dot(std::span<const double> a, std::span<const double> b) const
 {
   double sum = 0.0;
@@ -387,34 +399,23 @@ void Inclusions::add(const InclusionField& equivalent, int layers, const HalfSpa
   add_displacement(to.displacement.x, &SurfaceDisplacement::x);
   add_displacement(to.displacement.y, &SurfaceDisplacement::y);
   const std::size_t of_layers = static_cast<std::size_t>(computed) * body.grid().surface.size();
-  if (!to.deviator.empty())
-  {
-    loaded.stress({}, p.deviator);
-    for (std::size_t c = 0; c < Deviator::size; ++c)
-      for (std::size_t i = c * body.grid().size(); i < c * body.grid().size() + of_layers; ++i)
-        to.deviator[i] += p.deviator[i];
-  }
+  if (wants_stress)
+    loaded.stress({}, p.deviator); // also before the trace, which is that of the last load
   if (!to.trace.empty())
-  {
-    if (to.deviator.empty())
-      loaded.stress({}, p.deviator); // the trace is that of the last load
     loaded.traces({}, p.trace);
-    for (std::size_t i = 0; i < of_layers; ++i)
-      to.trace[i] += p.trace[i];
-  }
-  body.add_dilatation(p.dilatation, computed, p.dilatation_work, to);
+  const bool wants_trace = !to.trace.empty();
+  body.add_dilatation(p.dilatation, computed, p.dilatation_work,
+                      {wants_stress ? std::span<double>(p.deviator) : std::span<double>(),
+                       wants_trace ? std::span<double>(p.trace) : std::span<double>(), to.displacement});
   if (!wants_stress)
     return;
-  const InclusionField sharp = p.sharp_stress(equivalent);
-  const std::size_t all = body.grid().size();
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.cells[i] < of_layers)
-    {
-      for (std::size_t c = 0; c < Deviator::size && !to.deviator.empty(); ++c)
-        to.deviator[c * all + p.cells[i]] += sharp.deviator[c * p.size() + i];
-      if (!to.trace.empty())
-        to.trace[p.cells[i]] += sharp.volumetric[i];
-    }
+  p.add_sharp(p.sharp_stress(equivalent));
+  p.complete(p.deviator, p.trace);
+  for (std::size_t c = 0; c < Deviator::size && !to.deviator.empty(); ++c)
+    for (std::size_t i = c * body.grid().size(); i < c * body.grid().size() + of_layers; ++i)
+      to.deviator[i] += p.deviator[i];
+  for (std::size_t i = 0; i < of_layers && wants_trace; ++i)
+    to.trace[i] += p.trace[i];
 }
 
 } // namespace brinell::halfspace

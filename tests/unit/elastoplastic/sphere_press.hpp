@@ -19,9 +19,11 @@ struct PressOptions
   bool lower_plastic = true, upper_plastic = true;
   double hardening_modulus = 0.0; ///< [Pa]
   std::vector<constitutive::KinematicTerm> kinematic{};
-  Friction friction{};          ///< the upper sphere slides towards +x
-  bool sticks = false;          ///< where friction can hold it
-  double upper_stiffness = 1.0; ///< Young's modulus of the upper sphere over that of the lower one
+  Friction friction{};                            ///< the upper sphere slides towards +x
+  bool sticks = false;                            ///< where friction can hold it
+  double upper_stiffness = 1.0;                   ///< Young's modulus of the upper sphere over that of the lower one
+  std::vector<halfspace::Inclusion> inclusions{}; ///< of the lower sphere
+  bool is_mirrored = false;                       ///< solve one side of y = 0
 };
 
 /// Two spheres of radius 1 m pressed together on 13 x 13 cells, 12 layers: about 5 cells to the contact radius at six
@@ -35,11 +37,12 @@ public:
   static constexpr int n = 13, nz = 12;
 
   explicit SpherePress(const PressOptions& options = {})
-      : options_(options), grid_{n, n, 4.6e-3 / options.unit, 4.6e-3 / options.unit},
+      : options_(options),
+        grid_{n, n, 4.6e-3 / options.unit, 4.6e-3 / options.unit, Boundary::open, Boundary::open, options.is_mirrored},
         contact_(grid_, volume(), volume(), material(options.lower_plastic),
                  material(options.upper_plastic, options.upper_stiffness),
-                 Scales{alpha_c / options.unit, 6.0 * alpha_c / options.unit}, options.settings, Twin::none, {}, 0.0,
-                 {options.friction, 1, options.sticks})
+                 Scales{alpha_c / options.unit, 6.0 * alpha_c / options.unit}, options.settings, Twin::none,
+                 Textures{{}, {}, options.inclusions, {}}, 0.0, {options.friction, 1, options.sticks})
   {
   }
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "embedded.hpp"
+
+#include "brinell/foundation/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace brinell::elastoplastic
+{
+
+namespace
+{
+
+/// Of the equation of the equivalent strain, relative to the stress that drives it: well below the tolerance of the yield condition.
+constexpr double tolerance = 1e-6;
+/// Rest that is accepted where the iterations are used up: of strain within voids, which nothing notices.
+constexpr double acceptable = 1e-4;
+constexpr int most_iterations = 400;
+/// Of the acceleration of the displacement: the trials change it, too, so that differences are soon outdated.
+constexpr int depth = 2;
+
+} // namespace
+
+Embedded::Embedded(const halfspace::HalfSpace& body, const std::vector<halfspace::Inclusion>& inclusions,
+                   std::size_t axes)
+    : inclusions_(body, inclusions), present_{inclusions_.make_field(),
+                                              std::vector<double>(axes * body.grid().surface.size())},
+      committed_(present_), given_(inclusions_.make_field()), surface_(body.grid().surface.size()), axes_(axes),
+      acceleration_(depth), trace_(body.grid().size())
+{
+}
+
+void Embedded::add_displacement(std::size_t axis, std::span<double> displacement) const
+{
+  const std::span<const double> own = std::span(present_.displacement).subspan(axis * surface_, surface_);
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    displacement[i] += own[i];
+}
+
+void Embedded::update(const halfspace::HalfSpace::Loaded& strain, const halfspace::SurfaceLoad& load, int layers,
+                      std::span<double> stress)
+{
+  strain.traces(load, trace_);
+  inclusions_.gather(stress, trace_, given_);
+  const halfspace::Inclusions::Report report =
+      inclusions_.solve(given_, present_.equivalent, tolerance, most_iterations);
+  if (!(report.residual <= acceptable))
+    throw ConvergenceError(
+        fmt::format("the equivalent strain of the inclusions has not converged: after {} iterations its "
+                    "equation is off by {:.1e} of the stress",
+                    report.iterations, report.residual));
+  found_.assign(axes_ * surface_, 0.0);
+  const auto of_axis = [&](std::size_t axis)
+  { return axis < axes_ ? std::span(found_).subspan(axis * surface_, surface_) : std::span<double>(); };
+  inclusions_.add(present_.equivalent, layers, {stress, {}, {of_axis(0), of_axis(1), of_axis(2)}});
+  change_.resize(found_.size());
+  error_ = 0.0;
+  for (std::size_t i = 0; i < found_.size(); ++i)
+  {
+    change_[i] = found_[i] - present_.displacement[i];
+    error_ = i < surface_ ? std::max(error_, std::abs(change_[i])) : error_;
+  }
+  acceleration_.advance(present_.displacement, found_, change_);
+}
+
+void Embedded::add_stress(int layers, std::span<double> deviator, std::span<double> trace)
+{
+  inclusions_.add(present_.equivalent, layers, {deviator, trace, {}});
+}
+
+void Embedded::restore()
+{
+  present_ = committed_;
+  acceleration_.reset();
+}
+
+void Embedded::commit()
+{
+  committed_ = present_;
+}
+
+void Embedded::exchange(Archive& archive)
+{
+  archive("equivalent_deviator", committed_.equivalent.deviator);
+  archive("equivalent_volume", committed_.equivalent.volumetric);
+  archive("displacement", committed_.displacement);
+  restore();
+}
+
+} // namespace brinell::elastoplastic
