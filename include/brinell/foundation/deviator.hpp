@@ -29,6 +29,7 @@ struct Deviator
 
   double& operator[](int i) { return v[static_cast<std::size_t>(i)]; }
   double operator[](int i) const { return v[static_cast<std::size_t>(i)]; }
+  bool operator==(const Deviator&) const = default;
 };
 
 [[nodiscard]] inline Deviator operator+(const Deviator& a, const Deviator& b)

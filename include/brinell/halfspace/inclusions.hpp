@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/deviator.hpp"
 #include "brinell/halfspace/half_space.hpp"
 
 #include <cstddef>
@@ -17,6 +18,14 @@ struct Inclusion
   /// E = 0 is a void; an infinite E is rigid.
   Elastic elastic;
   std::vector<std::size_t> cells; ///< of the volume grid
+  /// Own strain, which it would have without the body around it: misfit, expansion, change of phase; in a void without meaning.
+  struct Own
+  {
+    Deviator deviator{};
+    double dilatation = 0.0; ///< strain that is equal in all directions
+    bool operator==(const Own&) const = default;
+  };
+  Own own{};
 };
 
 /// Values of stress or strain in the cells of all inclusions, in the order of `Inclusions::cells`: the deviator as a field, component by
@@ -33,7 +42,8 @@ struct InclusionField
 ///
 /// The body is replaced by a homogeneous one with an equivalent strain eps* in the cells of the inclusions, in which the stress is the same:
 ///   eps* = (1/(2 mu_1) - 1/(2 mu_0)) s  and  e* = (1/(9 K_1) - 1/(9 K_0)) tr sigma,  sigma = sigma_0 - H eps*.
-/// Here sigma_0 is the stress of all else, a load, plastic strain, or the own strain of an inclusion, in the homogeneous body. In units of
+/// Here sigma_0 is the stress of all else, a load, plastic strain, or the own strain of an inclusion, in the homogeneous body; the class does not add
+/// any of these by itself. In units of
 /// the stiffness of the body H has its spectrum in [0, 1], so that R = 1 - 2 H is a contraction. With the contrasts
 ///   B = (mu_0 - mu_1)/(mu_0 + mu_1), (K_0 - K_1)/(K_0 + K_1), both in [-1, 1] from rigid to void
 /// the system is (sign B - sqrt|B| R sqrt|B|) w = 2 sqrt|B| sigma_0 with eps* = sqrt|B| w: symmetric, and bounded for every contrast.
@@ -56,6 +66,8 @@ public:
   /// Cells of all inclusions, on a mirrored grid only those in independent rows, in ascending order.
   [[nodiscard]] const std::vector<std::size_t>& cells() const;
   [[nodiscard]] InclusionField make_field() const; ///< zero
+  [[nodiscard]] const InclusionField& own_strain() const;
+  [[nodiscard]] bool has_own_strain() const;
   /// Layers from the surface down to the deepest cell.
   [[nodiscard]] int layers() const;
 

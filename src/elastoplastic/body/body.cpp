@@ -172,6 +172,7 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   b.trial.stiffness.assign(static_cast<std::size_t>(b.grid.nz), 0.0);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.state.stress.assign(Deviator::size * n, 0.0);
+  std::ranges::copy(b.evaluation->own_stress(), b.state.stress.begin());
   b.evaluation->initial_stress().add_to(b.state.stress, b.grid.nz, grid.surface.ny);
 }
 

@@ -51,10 +51,12 @@ double locked_in_energy(const BodyParts& b, const halfspace::SurfaceLoad& load, 
   // 1/2 eps H eps - s0 eps, with H eps = (stress of the load + initial stress s0 - stress); the work of the load's stress is
   // computed on the surface by Betti's theorem. The energy of s0 itself is constant and left out.
   const std::size_t n = b.grid.size();
+  const std::span<const double> own = b.evaluation->own_stress(); // of inclusions: an initial stress like s0
   const auto term = [&](double initial, std::size_t cell)
   {
     const Deviator strain = deviator_at(b.state.plastic_strain, n, cell);
-    const double relieved = initial * (strain[Deviator::xx] + strain[Deviator::yy]);
+    const double relieved = initial * (strain[Deviator::xx] + strain[Deviator::yy]) +
+                            (own.empty() ? 0.0 : contract(deviator_at(own, n, cell), strain));
     return contract(deviator_at(b.trial.stress, n, cell), strain) + relieved;
   };
   const auto initial_at = [&](std::size_t cell) { return b.evaluation->initial_stress().at(b.yield.layer_of(cell)); };

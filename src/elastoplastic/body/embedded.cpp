@@ -30,7 +30,48 @@ Embedded::Embedded(const halfspace::HalfSpace& body, const std::vector<halfspace
       committed_(present_), given_(inclusions_.make_field()), surface_(body.grid().surface.size()), axes_(axes),
       acceleration_(depth), trace_(body.grid().size())
 {
+  if (inclusions_.has_own_strain())
+    find_own_stress();
 }
+
+/// Finds the equivalent strain for the stress `given_`.
+void Embedded::solve(halfspace::InclusionField& equivalent)
+{
+  const halfspace::Inclusions::Report report = inclusions_.solve(given_, equivalent, tolerance, most_iterations);
+  if (!(report.residual <= acceptable))
+    throw ConvergenceError(fmt::format("the equivalent strain of the inclusions has not converged: after {} iterations "
+                                       "its equation is off by {:.1e} of the stress",
+                                       report.iterations, report.residual));
+}
+
+void Embedded::find_own_stress()
+{
+  halfspace::InclusionField strain = inclusions_.make_field();
+  const halfspace::InclusionField& own = inclusions_.own_strain();
+  inclusions_.stress(own, given_);
+  solve(strain);
+  for (std::size_t i = 0; i < own.deviator.size(); ++i)
+    strain.deviator[i] += own.deviator[i];
+  for (std::size_t i = 0; i < own.volumetric.size(); ++i)
+    strain.volumetric[i] += own.volumetric[i];
+  own_deviator_.assign(Deviator::size * trace_.size(), 0.0);
+  own_trace_.assign(trace_.size(), 0.0);
+  inclusions_.add(strain, static_cast<int>(trace_.size() / surface_), {own_deviator_, own_trace_, {}});
+}
+
+namespace
+{
+
+/// Adds a field in the uppermost cells of each component; an empty one is zero.
+void add_field(const std::vector<double>& field, std::size_t components, std::size_t of_layers, std::span<double> to)
+{
+  const std::size_t all = field.size() / components;
+  for (std::size_t c = 0; c < components && !field.empty(); ++c)
+    for (std::size_t i = c * all; i < c * all + of_layers; ++i)
+      to[i] += field[i];
+}
+
+} // namespace
 
 void Embedded::add_displacement(std::size_t axis, std::span<double> displacement) const
 {
@@ -44,17 +85,12 @@ void Embedded::update(const halfspace::HalfSpace::Loaded& strain, const halfspac
 {
   strain.traces(load, trace_);
   inclusions_.gather(stress, trace_, given_);
-  const halfspace::Inclusions::Report report =
-      inclusions_.solve(given_, present_.equivalent, tolerance, most_iterations);
-  if (!(report.residual <= acceptable))
-    throw ConvergenceError(
-        fmt::format("the equivalent strain of the inclusions has not converged: after {} iterations its "
-                    "equation is off by {:.1e} of the stress",
-                    report.iterations, report.residual));
+  solve(present_.equivalent);
   found_.assign(axes_ * surface_, 0.0);
   const auto of_axis = [&](std::size_t axis)
   { return axis < axes_ ? std::span(found_).subspan(axis * surface_, surface_) : std::span<double>(); };
   inclusions_.add(present_.equivalent, layers, {stress, {}, {of_axis(0), of_axis(1), of_axis(2)}});
+  add_field(own_deviator_, Deviator::size, static_cast<std::size_t>(layers) * surface_, stress);
   change_.resize(found_.size());
   error_ = 0.0;
   for (std::size_t i = 0; i < found_.size(); ++i)
@@ -68,6 +104,8 @@ void Embedded::update(const halfspace::HalfSpace::Loaded& strain, const halfspac
 void Embedded::add_stress(int layers, std::span<double> deviator, std::span<double> trace)
 {
   inclusions_.add(present_.equivalent, layers, {deviator, trace, {}});
+  add_field(own_deviator_, Deviator::size, static_cast<std::size_t>(layers) * surface_, deviator);
+  add_field(own_trace_, 1, static_cast<std::size_t>(layers) * surface_, trace);
 }
 
 void Embedded::restore()

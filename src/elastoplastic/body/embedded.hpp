@@ -22,14 +22,18 @@ public:
   Embedded(const halfspace::HalfSpace& body, const std::vector<halfspace::Inclusion>& inclusions, std::size_t axes);
 
   [[nodiscard]] int layers() const { return inclusions_.layers(); }
+  /// Stress of the own strain of the inclusions, with their equivalent strain for it, without load and plastic strain: [Pa]. Empty without own
+  /// strain. It is an initial stress: the surface is flat with it.
+  [[nodiscard]] const std::vector<double>& own_deviator() const { return own_deviator_; }
+  [[nodiscard]] const std::vector<double>& own_trace() const { return own_trace_; }
   /// Adds the displacement along z (0), x (1) or y (2).
   void add_displacement(std::size_t axis, std::span<double> displacement) const;
-  /// Finds the equivalent strain under a load, and adds its stress to `stress`, that of load and plastic strain, in the layers [0, layers).
+  /// Finds the equivalent strain under a load, and adds its stress to `stress`, that of load and plastic strain, in the layers [0, layers), and that of the own strain.
   /// @param strain  plastic strain, loaded with its trace
   /// @throws ConvergenceError
   void update(const halfspace::HalfSpace::Loaded& strain, const halfspace::SurfaceLoad& load, int layers,
               std::span<double> stress);
-  /// Adds the stress of the present equivalent strain.
+  /// Adds the stress of the present equivalent strain and of the own strain.
   void add_stress(int layers, std::span<double> deviator, std::span<double> trace);
   /// Largest difference between the normal displacement that the last `update` has found and that before it [m].
   [[nodiscard]] double error() const { return error_; }
@@ -49,7 +53,10 @@ private:
   std::size_t surface_, axes_;
   Anderson acceleration_;
   double error_ = 0.0;
-  std::vector<double> trace_, found_, change_;
+  std::vector<double> trace_, found_, change_, own_deviator_, own_trace_;
+
+  void solve(halfspace::InclusionField& equivalent);
+  void find_own_stress();
 };
 
 } // namespace brinell::elastoplastic

@@ -70,6 +70,11 @@ public:
   {
     return half_space_->elastic_of(share_.layer(static_cast<int>(layer)));
   }
+  /// Deviator of the stress of the own strain of inclusions; empty: none.
+  [[nodiscard]] std::span<const double> own_stress() const
+  {
+    return embedded_ ? std::span(embedded_->own_deviator()) : std::span<const double>();
+  }
   /// Body::full_stress and Body::stress_at
   void full_stress(const halfspace::SurfaceLoad& load, std::span<const double> strain, std::span<double> deviator,
                    std::span<double> trace, int layers);

@@ -64,6 +64,12 @@ void mean_over_cells(const SurfaceGrid& s, double* values, std::vector<double>& 
   along(s.ny, s.nx, s.nx, 1, s.is_periodic_y());
 }
 
+bool are_mirror_images(const Inclusion& a, const Inclusion& b)
+{
+  return a.elastic == b.elastic && a.own.dilatation == b.own.dilatation &&
+         a.own.deviator == mirrored_in_y(b.own.deviator);
+}
+
 /// Number of the inclusion that each cell belongs to.
 std::map<std::size_t, std::size_t> owners(const VolumeGrid& grid, const std::vector<Inclusion>& inclusions)
 {
@@ -93,7 +99,8 @@ struct Inclusions::Parts
   std::vector<std::size_t> cells;
   std::vector<double> copies;              ///< of each cell, itself included
   std::vector<double> in_shear, in_volume; ///< contrasts B
-  double root_shear, root_volume;          ///< roots of 2 mu_0 and 9 K_0
+  InclusionField own;
+  double root_shear, root_volume; ///< roots of 2 mu_0 and 9 K_0
   int layers = 0;
   HalfSpace::Work work;
   HalfSpace::DilatationWork dilatation_work;
@@ -137,7 +144,7 @@ Inclusions::Parts::Parts(const HalfSpace& of, const std::vector<Inclusion>& incl
     if (s.is_mirrored_y)
     {
       const auto other = owner.find(mirrored_cell(s, cell));
-      if (other == owner.end() || !(inclusions[other->second].elastic == inclusions[number].elastic))
+      if (other == owner.end() || !are_mirror_images(inclusions[other->second], inclusions[number]))
         throw InputError(fmt::format("inclusion {}: cell {} has no mirror image in y; allowed on a mirrored grid: "
                                      "inclusions that are symmetric",
                                      number + 1, cell));
@@ -150,6 +157,13 @@ Inclusions::Parts::Parts(const HalfSpace& of, const std::vector<Inclusion>& incl
     in_shear.push_back(contrast(mu, elastic.shear_modulus()));
     in_volume.push_back(contrast(k, bulk_modulus(elastic)));
     layers = std::max(layers, static_cast<int>(cell / s.size()) + 1);
+  }
+  own = {std::vector<double>(Deviator::size * size()), std::vector<double>(size())};
+  for (std::size_t i = 0; i < size(); ++i)
+  {
+    const Inclusion& inclusion = inclusions[owner.at(cells[i])];
+    store(inclusion.own.deviator, own.deviator, size(), i);
+    own.volumetric[i] = inclusion.own.dilatation;
   }
 }
 
@@ -308,6 +322,18 @@ int Inclusions::layers() const
 InclusionField Inclusions::make_field() const
 {
   return {std::vector<double>(Deviator::size * parts_->size()), std::vector<double>(parts_->size())};
+}
+
+const InclusionField& Inclusions::own_strain() const
+{
+  return parts_->own;
+}
+
+bool Inclusions::has_own_strain() const
+{
+  const auto acts = [](double strain) { return strain != 0.0; };
+  return std::any_of(parts_->own.deviator.begin(), parts_->own.deviator.end(), acts) ||
+         std::any_of(parts_->own.volumetric.begin(), parts_->own.volumetric.end(), acts);
 }
 
 void Inclusions::stress(const InclusionField& equivalent, InclusionField& out)

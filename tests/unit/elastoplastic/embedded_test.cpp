@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 namespace brinell::elastoplastic::embedded_test
@@ -110,16 +111,49 @@ TEST(EmbeddedTest, LoadFollowsTheModulus)
   EXPECT_GT(load.back(), 1.001 * load[2]);
 }
 
+// With its own strain an inclusion has a stress before the load, with which the surface is flat: after an elastic load it is that of a body at rest.
+TEST(EmbeddedTest, OwnStrainIsAnInitialStress)
+{
+  PressOptions options = with_block(2.0);
+  Deviator stretched;
+  stretched[Deviator::xx] = 1e-3;
+  options.inclusions.front().own = {stretched, 1e-3};
+  SpherePress press(options);
+  ASSERT_TRUE(press.press(0.2).converged);
+  ASSERT_TRUE(press.press(0.0).converged);
+  const BodyState state = press.contact().lower().state();
+  EXPECT_EQ(state.dissipation, 0.0);
+  const halfspace::HalfSpace body(press.volume(), press.material().elastic);
+  halfspace::Inclusions inclusions(body, options.inclusions);
+  halfspace::InclusionField given = inclusions.make_field(), strain = given;
+  inclusions.stress(inclusions.own_strain(), given);
+  (void)inclusions.solve(given, strain, 1e-9);
+  for (std::size_t i = 0; i < strain.deviator.size(); ++i)
+    strain.deviator[i] += inclusions.own_strain().deviator[i];
+  for (std::size_t i = 0; i < strain.volumetric.size(); ++i)
+    strain.volumetric[i] += inclusions.own_strain().volumetric[i];
+  std::vector<double> deviator(state.stress.size()), trace(press.volume().size());
+  inclusions.add(strain, press.volume().nz, {deviator, trace, {}});
+  expect_near(copy(state.stress), deviator, 1e-5 * SpherePress::yield_stress, "deviator");
+  EXPECT_GT(*std::ranges::max_element(deviator), 0.05 * SpherePress::yield_stress);
+  for (const double u : state.residual_displacement)
+    EXPECT_NEAR(u, 0.0, 1e-4 * SpherePress::alpha_c);
+  const CoupledContact::Stress fields = press.contact().stress(0, {});
+  expect_near(fields.trace, trace, 1e-5 * SpherePress::yield_stress, "trace");
+}
+
 // Work of the force on the approach is the energy in the bodies, elastic in and around the inclusion, locked in, and dissipated: the trapezoidal
 // rule errs at second order in the steps.
 TEST(EmbeddedTest, EnergyIsBalanced)
 {
-  for (const double ratio : {0.3, 4.0})
+  for (const auto& [ratio, own] : {std::pair{0.3, 0.0}, std::pair{4.0, 0.0}, std::pair{2.0, 1e-3}})
   {
+    PressOptions options = with_block(ratio);
+    options.inclusions.front().own.dilatation = own;
     std::vector<double> errors;
     for (const int steps : {8, 16, 32})
     {
-      SpherePress press(with_block(ratio));
+      SpherePress press(options);
       double work = 0.0, load = 0.0;
       const auto advance = [&](double from, double to)
       {

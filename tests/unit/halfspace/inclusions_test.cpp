@@ -166,12 +166,13 @@ TEST(InclusionsTest, MisfittingBallIsUnderEshelbysPressure)
   const double d = 1.0 / per_radius;
   const VolumeGrid grid{{across, across, d, d}, 40, d};
   const Elastic stiff{3.0, 0.2};
-  const HalfSpace body(grid, body_material);
-  Inclusions inclusions(body, {{stiff, ellipsoid(grid, {12.5 * d, 12.5 * d, (depth + 0.5) * d}, {1.0, 1.0, 1.0})}});
   const double e = 1e-3;
-  InclusionField own = inclusions.make_field(), given = own, equivalent = own;
-  std::fill(own.volumetric.begin(), own.volumetric.end(), e);
-  inclusions.stress(own, given);
+  const HalfSpace body(grid, body_material);
+  Inclusions inclusions(body,
+                        {{stiff, ellipsoid(grid, {12.5 * d, 12.5 * d, (depth + 0.5) * d}, {1.0, 1.0, 1.0}), {{}, e}}});
+  EXPECT_TRUE(inclusions.has_own_strain());
+  InclusionField given = inclusions.make_field(), equivalent = given;
+  inclusions.stress(inclusions.own_strain(), given);
   (void)inclusions.solve(given, equivalent, 1e-8);
   const double k1 = stiff.young_modulus / (3.0 * (1.0 - 2.0 * stiff.poisson_ratio)), mu = body_material.shear_modulus();
   const double expected = -12.0 * mu * k1 / (3.0 * k1 + 4.0 * mu) * e;
@@ -387,6 +388,11 @@ TEST(InclusionsTest, RefusesWhatItCannotHave)
   EXPECT_THROW(Inclusions(body, {{{2.0, 0.3}, {5, 6}}, {{3.0, 0.3}, {6}}}), InputError);
   const HalfSpace mirrored(test::mirrored(grid), body_material);
   EXPECT_THROW(Inclusions(mirrored, {{{2.0, 0.3}, {5}}}), InputError);
+  const std::size_t image = mirrored_cell(grid.surface, 5);
+  Deviator shear;
+  shear[Deviator::xy] = 1e-3;
+  EXPECT_NO_THROW(Inclusions(mirrored, {{{2.0, 0.3}, {5}, {shear, 0.0}}, {{2.0, 0.3}, {image}, {-1.0 * shear, 0.0}}}));
+  EXPECT_THROW(Inclusions(mirrored, {{{2.0, 0.3}, {5, image}, {shear, 0.0}}}), InputError);
 }
 
 } // namespace
