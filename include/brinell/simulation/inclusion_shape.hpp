@@ -2,10 +2,12 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "brinell/halfspace/inclusions.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace brinell::simulation
@@ -27,6 +29,7 @@ struct InclusionShape
 
   [[nodiscard]] double volume() const; ///< of the whole region, also above the surface [m^3]
   [[nodiscard]] bool contains(double x, double y, double z) const;
+  bool operator==(const InclusionShape&) const = default;
 };
 
 /// Balls at random places of a box, which do not overlap.
@@ -38,6 +41,7 @@ struct InclusionCluster
   int count = 0;
   double gap = 0.0; ///< least distance between two balls [m]
   std::uint64_t seed = 0;
+  bool operator==(const InclusionCluster&) const = default;
 };
 
 /// Solid and empty voxels of a measured or computed structure, x fastest, from a corner on.
@@ -47,6 +51,16 @@ struct InclusionVoxels
   std::array<double, 3> corner{}; ///< of the first voxel, the one with the smallest coordinates [m]
   double size = 0.0;              ///< of a voxel [m]
   std::vector<char> is_filled{};
+  bool operator==(const InclusionVoxels&) const = default;
+};
+
+/// Inclusions of one material in a body.
+struct BodyInclusion
+{
+  Elastic elastic; ///< see halfspace::Inclusion
+  std::variant<InclusionShape, InclusionCluster, InclusionVoxels> region{};
+  halfspace::Inclusion::Own own{};
+  bool operator==(const BodyInclusion&) const = default;
 };
 
 /// Cells of a grid, whose cell (0, 0) has its centre at (x0, y0) [m], with their centre in the region.
@@ -58,6 +72,10 @@ struct InclusionVoxels
 /// The balls of a cluster, the same for the same seed on every machine.
 /// @throws InputError if there is no room for them
 [[nodiscard]] std::vector<InclusionShape> shapes_of(const InclusionCluster& cluster);
+/// Inclusions in the cells of a grid, as above; those beside the grid are left out.
+/// @throws InputError if one of them reaches beneath the grid
+[[nodiscard]] std::vector<halfspace::Inclusion> in_cells(const std::vector<BodyInclusion>& inclusions,
+                                                         const VolumeGrid& grid, double x0, double y0);
 /// Cells along the smallest semi-axis, which decide about the accuracy: docs/theory/inclusions.md.
 [[nodiscard]] double cells_per_axis(const InclusionShape& shape, const VolumeGrid& grid);
 

@@ -10,6 +10,7 @@
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/layered_fields.hpp"
 #include "brinell/simulation/fatigue.hpp"
+#include "brinell/simulation/inclusion_shape.hpp"
 #include "brinell/simulation/plan_error.hpp"
 #include "brinell/simulation/shape.hpp"
 #include "brinell/simulation/texture.hpp"
@@ -36,6 +37,7 @@ struct ShapedBody
   Texture texture{};
   std::optional<constitutive::Fatigue> fatigue{}; ///< none: it is not computed
   Texture film{}; ///< thickness of a film that conducts badly, at the start: a height map of numbers >= 0; smooth: none
+  std::vector<BodyInclusion> inclusions{}; ///< docs/theory/inclusions.md
   bool operator==(const ShapedBody&) const = default;
 };
 

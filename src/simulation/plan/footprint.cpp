@@ -335,7 +335,7 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
 bool alike(const ShapedBody& lower, const ShapedBody& upper)
 {
   return lower.material == upper.material && lower.material.is_plastic() && are_smooth(lower, upper) &&
-         lower.film.is_smooth() && upper.film.is_smooth();
+         lower.film.is_smooth() && upper.film.is_smooth() && lower.inclusions.empty() && upper.inclusions.empty();
 }
 
 bool are_flat(const ShapedBody& lower, const ShapedBody& upper)

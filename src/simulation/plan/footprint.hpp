@@ -60,7 +60,7 @@ void require_within_reference(double half_x, double half_y, const ShapedBody& lo
 [[nodiscard]] bool are_flat(const ShapedBody& lower, const ShapedBody& upper);
 
 /// Whether two half spaces under the same pressure always have the same strain: the same plastic material, no textures, and no
-/// films that differ from place to place.
+/// films or inclusions that differ from place to place.
 [[nodiscard]] bool alike(const ShapedBody& lower, const ShapedBody& upper);
 
 /// Whether a run needs no fields within the bodies: none that yields, and none that is wanted.

@@ -77,7 +77,10 @@ bool is_symmetric_in_y(const Texture& texture)
 bool is_solved_by_halves(const PairCase& c, const SurfaceGrid& contact, bool one_sided)
 {
   const auto is_symmetric = [](const ShapedBody& body)
-  { return is_symmetric_in_y(body.shape) && is_symmetric_in_y(body.texture) && is_symmetric_in_y(body.film); };
+  {
+    return is_symmetric_in_y(body.shape) && is_symmetric_in_y(body.texture) && is_symmetric_in_y(body.film) &&
+           body.inclusions.empty();
+  };
   const bool is_worth = contact.ny > 1 && (c.lower.material.is_plastic() || c.upper.material.is_plastic());
   return c.solver.symmetry && is_worth && !one_sided && is_symmetric(c.lower) && is_symmetric(c.upper);
 }

@@ -54,7 +54,8 @@ Stepper::Setup setup_of(const PairCase& c, const Centre& start, const halfspace:
                        .start = start,
                        .lower_texture = c.lower.texture,
                        .upper_texture = c.upper.texture,
-                       .films = {c.lower.film, c.upper.film}};
+                       .films = {c.lower.film, c.upper.film},
+                       .inclusions = {c.lower.inclusions, c.upper.inclusions}};
   setup.sliding = {.friction = c.friction, .effects = c};
   if (is_heated(c))
     setup.sliding.heat = {c.heat, heat_times};
@@ -95,8 +96,12 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
       value = -value; // heights point out of the body
   auto pair = std::make_unique<CoupledContact>(
       plan_.contact, plan_.lower, plan_.upper, setup_.lower, setup_.upper, plan_.scales, setup_.solver, plan_.twin,
-      elastoplastic::Textures{on_lower(setup_.lower_texture), on_upper(setup_.upper_texture)}, plan_.reference, sliding,
-      setup_.watch.ranks);
+      elastoplastic::Textures{on_lower(setup_.lower_texture), on_upper(setup_.upper_texture),
+                              in_cells(setup_.inclusions[0], plan_.lower, lattice_.lower_origin(),
+                                       setup_.beside.lower + plan_.lower.surface.y(0)),
+                              in_cells(setup_.inclusions[1], plan_.upper, lattice_.upper_origin(),
+                                       setup_.beside.upper + plan_.upper.surface.y(0))},
+      plan_.reference, sliding, setup_.watch.ranks);
   for (std::size_t side = 0; side < 2; ++side)
     if (setup_.follows_stress[side])
       pair->keep_trace(side);

@@ -46,6 +46,7 @@ public:
     Centre start; ///< a moment when the columns of both bodies coincide
     Texture lower_texture{}, upper_texture{};
     std::array<Texture, 2> films{}; ///< see `ShapedBody::film`
+    std::array<std::vector<BodyInclusion>, 2> inclusions{};
     Watch watch{};
     elastoplastic::Sliding sliding{};
     std::array<bool, 2> follows_stress{}; ///< whether the stress in all cells of a body is read after each step

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <numbers>
 #include <random>
+#include <utility>
 
 namespace brinell::simulation
 {
@@ -174,6 +175,51 @@ std::vector<InclusionShape> shapes_of(const InclusionCluster& cluster)
     attempt = -1;
   }
   return balls;
+}
+
+namespace
+{
+
+void require_above(const VolumeGrid& grid, double deepest, std::size_t number)
+{
+  if (deepest > grid.nz * grid.dz)
+    throw InputError(
+        fmt::format("inclusion {} reaches down to {:g} m, the grid to {:g} m; allowed: inclusions within the "
+                    "grid, or more layers",
+                    number + 1, deepest, grid.nz * grid.dz));
+}
+
+} // namespace
+
+std::vector<halfspace::Inclusion> in_cells(const std::vector<BodyInclusion>& inclusions, const VolumeGrid& grid,
+                                           double x0, double y0)
+{
+  std::vector<halfspace::Inclusion> result;
+  result.reserve(inclusions.size());
+  for (std::size_t number = 0; number < inclusions.size(); ++number)
+  {
+    const BodyInclusion& inclusion = inclusions[number];
+    std::vector<InclusionShape> shapes;
+    std::vector<std::size_t> cells;
+    if (const auto* shape = std::get_if<InclusionShape>(&inclusion.region))
+      shapes.push_back(*shape);
+    else if (const auto* cluster = std::get_if<InclusionCluster>(&inclusion.region))
+      shapes = shapes_of(*cluster);
+    else if (const auto* voxels = std::get_if<InclusionVoxels>(&inclusion.region))
+    {
+      require_above(grid, voxels->corner[2] + voxels->count[2] * voxels->size, number);
+      cells = cells_of(*voxels, grid, x0, y0);
+    }
+    for (const InclusionShape& shape : shapes)
+    {
+      require_above(grid, shape.centre[2] + shape.semi_axes[2], number);
+      const std::vector<std::size_t> of_shape = cells_of(shape, grid, x0, y0);
+      cells.insert(cells.end(), of_shape.begin(), of_shape.end());
+    }
+    if (!cells.empty())
+      result.push_back({inclusion.elastic, std::move(cells), inclusion.own});
+  }
+  return result;
 }
 
 double cells_per_axis(const InclusionShape& shape, const VolumeGrid& grid)
