@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
+#include "cell_means.hpp"
 #include "foundation/minres.hpp"
 
 #include <algorithm>
@@ -36,32 +37,6 @@ void require_allowed(const Elastic& elastic, std::size_t number)
   if (!(elastic.poisson_ratio > -1.0 && elastic.poisson_ratio < 0.5))
     throw InputError(
         fmt::format("inclusion {}: Poisson's ratio {:g}; allowed: -1 < nu < 0.5", number + 1, elastic.poisson_ratio));
-}
-
-/// Replaces values at the middle of the cells of a plane by means over the cells, to the third order: (1, 22, 1)/24 along both axes. A
-/// neighbour beyond an open edge has the value of the cell itself, so that the operator is symmetric.
-void mean_over_cells(const SurfaceGrid& s, double* values, std::vector<double>& copy)
-{
-  constexpr double of_neighbour = 1.0 / 24.0;
-  const auto along = [&](int count, int lines, std::ptrdiff_t next, std::ptrdiff_t next_line, bool is_periodic)
-  {
-    copy.assign(values, values + s.size());
-    for (int line = 0; line < lines; ++line)
-      for (int i = 0; i < count; ++i)
-      {
-        const std::ptrdiff_t first = line * next_line;
-        const int before = i > 0         ? i - 1
-                           : is_periodic ? count - 1
-                                         : i,
-                  after = i + 1 < count ? i + 1
-                          : is_periodic ? 0
-                                        : i;
-        const auto at = [&](int place) { return copy[static_cast<std::size_t>(first + place * next)]; };
-        values[first + i * next] += of_neighbour * (at(before) - 2.0 * at(i) + at(after));
-      }
-  };
-  along(s.nx, s.ny, 1, s.nx, s.is_periodic_x());
-  along(s.ny, s.nx, s.nx, 1, s.is_periodic_y());
 }
 
 bool are_mirror_images(const Inclusion& a, const Inclusion& b)
@@ -138,6 +113,9 @@ Inclusions::Parts::Parts(const HalfSpace& of, const std::vector<Inclusion>& incl
   const SurfaceGrid& s = body.grid().surface;
   const auto owner = owners(body.grid(), inclusions);
   const double mu = body.elastic().shear_modulus(), k = bulk_modulus(body.elastic());
+  for (auto* list : {&copies, &in_shear, &in_volume})
+    list->reserve(owner.size());
+  cells.reserve(owner.size());
   for (const auto& [cell, number] : owner)
   {
     const int row = static_cast<int>(cell / static_cast<std::size_t>(s.nx)) % s.ny;
