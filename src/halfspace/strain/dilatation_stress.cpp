@@ -2,7 +2,6 @@
 #include "dilatation_stress.hpp"
 
 #include "foundation/lane_functions.hpp"
-#include "foundation/nan.hpp"
 #include "foundation/sharing.hpp"
 
 #include <algorithm>
