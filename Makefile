@@ -2,7 +2,7 @@
 #   make build   compile with CMake (build/release/bin/brinell)
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
-# Further: test-mpi, test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
+# Further: test-mpi, test-cuda, test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
 # digits, arm64, bench, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
@@ -22,7 +22,7 @@ python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test test-mpi test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench docs clean force
+.PHONY: build test test-mpi test-cuda test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
@@ -68,6 +68,14 @@ test-mpi: .venv/.setup-done .venv/.extras-done build/release/build.ninja
 	$(python) -m pytest --quiet python/tests/test_ranks.py || status=1; \
 	exit $$status
 
+# The library for GPUs: compiled without one; tests that need one say so and are skipped. A build tree of its own, so that nothing else
+# is configured anew; no other part of the engine is compiled in it.
+test-cuda: build/.setup-packages
+	@tools/setup.sh cuda
+	cmake --preset release -B build/cuda-release -D BRINELL_CUDA=ON -D BRINELL_BENCHMARKS=OFF -D BRINELL_WERROR=ON >/dev/null
+	flock build/cuda-release cmake --build build/cuda-release --parallel $(JOBS) --target brinell_cuda_tests
+	ctest --test-dir build/cuda-release --label-regex '^cuda$$' --no-tests=error --output-on-failure
+
 # Whole what .ci/run does in parts: all cases of random sweeps, the sanitizers on all tests, clang-tidy on all sources.
 test-all: export BRINELL_SWEEP = all
 test-all: test test-mpi tidy sanitize
@@ -86,7 +94,7 @@ run: .venv/.setup-done
 	@echo "Figures: $(results)/figures/*.png"
 
 # --- Quality ----------------------------------------------------------------------------------------------------------
-cxx_files = $(shell find include src apps tests bench python/bindings -name '*.[ch]pp')
+cxx_files = $(shell find include src apps tests bench cuda python/bindings -name '*.[ch]pp' -o -name '*.cu')
 
 format: build/.setup-packages .venv/.extras-done
 	@clang-format -i $(cxx_files)

@@ -74,6 +74,12 @@ if(BRINELL_MPI)
       "OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_mpi_yield_when_idle=1;OMPI_MCA_hwloc_base_binding_policy=none")
   endforeach()
 endif()
+if(BRINELL_CUDA)
+  file(GLOB cuda_tests CONFIGURE_DEPENDS tests/cuda/*_test.cpp)
+  add_executable(brinell_cuda_tests ${cuda_tests}) # needs nothing of the engine
+  target_link_libraries(brinell_cuda_tests PRIVATE brinell_cuda brinell_flags CUDA::cudart_static GTest::gtest GTest::gtest_main)
+  gtest_discover_tests(brinell_cuda_tests DISCOVERY_MODE PRE_TEST TEST_PREFIX cuda. PROPERTIES LABELS cuda TIMEOUT 300)
+endif()
 # What takes long has a label and begins first. Read by CTest after the tests of the executables, which it finds as it runs.
 set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_SOURCE_DIR}/cmake/long_tests.cmake)
 # These run the program. The others can be built without it.

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs what is missing to build, test and plot on Debian 12.
-# Usage: tools/setup.sh packages|python|extras|test|mpi|tidy|ccache|arm64|count|list
+# Usage: tools/setup.sh packages|python|extras|test|mpi|cuda|tidy|ccache|arm64|count|list
 # Safe to repeat: packages that are there are left alone, and without missing ones no network is used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,6 +11,9 @@ engine_packages=(build-essential cmake ninja-build pkg-config python3-dev python
 build_packages=("${engine_packages[@]}" git clang-format libgtest-dev libbenchmark-dev)
 test_packages=(chromium chromium-driver) # the HTML report and the page of `brinell app` are looked at in a browser
 mpi_packages=(libopenmpi-dev openmpi-bin) # several processes for one case
+# The compiler of CUDA 13 is whole in wheels, unlike that of 12.
+cuda_wheels=('nvidia-cuda-nvcc>=13.0,<14' 'nvidia-cuda-crt>=13.0,<14' 'nvidia-nvvm>=13.0,<14'
+  'nvidia-cuda-runtime>=13.0,<14' 'nvidia-cuda-cccl>=13.0,<14' 'nvidia-cufft>=12.0,<13')
 tidy_packages=(clang-tidy clang-tools libomp-dev)
 
 fail() { echo "setup: $*" >&2; exit 1; }
@@ -63,6 +66,21 @@ add_mpi4py() {
   "${pip[@]}" 'brinell[mpi]' || fail "pip could not install mpi4py. $mirror"
 }
 
+# A compiler for CUDA with its libraries, as wheels: 300 MB to fetch, 580 MB unpacked. No GPU is needed to compile. What lies in
+# build/cuda/nvidia/cu13 is laid out as an installed CUDA. cmake/cuda.cmake finds it there.
+add_cuda() {
+  local root=build/cuda/nvidia/cu13 python=/usr/bin/python3
+  [[ -x $root/bin/nvcc && -e $root/lib/libcufft.so ]] && return 0
+  [[ $(uname -m) == x86_64 ]] || fail "the wheels of CUDA are fetched for x86-64 only; install CUDA 13 and set CUDACXX to its nvcc"
+  [[ -x $python ]] || python=$(command -v python3) || fail "no python3"
+  [[ -x .venv/bin/pip ]] || "$python" -m venv --clear .venv || fail "cannot make .venv with $python"
+  rm -rf build/cuda
+  mkdir -p build/cuda
+  "${pip[@]}" --no-deps --target build/cuda "${cuda_wheels[@]}" || fail "pip could not fetch CUDA. ${mirror/make setup/tools\/setup.sh cuda}"
+  chmod +x $root/bin/* $root/nvvm/bin/*
+  ln -s libcufft.so.12 $root/lib/libcufft.so # the linker looks for this name
+}
+
 # Of what ninja says the files done so far, in one line; nothing where nobody looks.
 show_progress() {
   if [[ ! -t 1 ]]; then cat >/dev/null; return; fi
@@ -76,10 +94,11 @@ case "${1:-}" in
   extras) add_extras ;;
   test) install_packages "${test_packages[@]}" ;;
   mpi) install_packages "${mpi_packages[@]}"; add_mpi4py ;;
+  cuda) add_cuda ;;
   tidy) install_packages "${tidy_packages[@]}" ;;
   ccache) install_packages ccache ;;
   arm64) install_packages g++-aarch64-linux-gnu qemu-user ;;
   count) install_packages valgrind binutils ;;
   list) echo "${engine_packages[*]}" ;;
-  *) fail "usage: tools/setup.sh packages|python|extras|test|mpi|tidy|ccache|arm64|count|list" ;;
+  *) fail "usage: tools/setup.sh packages|python|extras|test|mpi|cuda|tidy|ccache|arm64|count|list" ;;
 esac

@@ -1,0 +1,25 @@
+# The library for GPUs, in a folder of its own. Nothing else links the CUDA runtime. The compiler is that of CMAKE_CUDA_COMPILER or CUDACXX, that which
+# `tools/setup.sh cuda` has fetched, or an installed one. No GPU is needed to compile.
+set(fetched_nvcc ${PROJECT_SOURCE_DIR}/build/cuda/nvidia/cu13/bin/nvcc)
+if(NOT CMAKE_CUDA_COMPILER AND NOT DEFINED ENV{CUDACXX} AND EXISTS ${fetched_nvcc})
+  set(CMAKE_CUDA_COMPILER ${fetched_nvcc} CACHE FILEPATH "Compiler of CUDA")
+endif()
+# Machine code for A100 and H100, and PTX, of which the driver makes that of later ones.
+set(CMAKE_CUDA_ARCHITECTURES "80-real;90" CACHE STRING "GPUs to compile for")
+include(CheckLanguage)
+check_language(CUDA)
+if(NOT CMAKE_CUDA_COMPILER)
+  message(FATAL_ERROR "BRINELL_CUDA=ON needs the compiler of CUDA 13: say tools/setup.sh cuda, or set CUDACXX to an nvcc")
+endif()
+enable_language(CUDA)
+if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION) # CMake 3.25 does not know that nvcc has it
+  set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
+endif()
+find_package(CUDAToolkit 13 REQUIRED)
+
+file(GLOB cuda_sources CONFIGURE_DEPENDS cuda/*.cu)
+add_library(brinell_cuda STATIC ${cuda_sources})
+set_target_properties(brinell_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF UNITY_BUILD OFF)
+target_include_directories(brinell_cuda PUBLIC ${PROJECT_SOURCE_DIR})
+target_compile_options(brinell_cuda PRIVATE -Xcompiler=-Wall,-Wextra $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
+target_link_libraries(brinell_cuda PRIVATE CUDA::cudart_static)
