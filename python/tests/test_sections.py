@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from matplotlib.animation import FFMpegWriter
 
+from brinell import Case
 from brinell.errors import InputError
 from brinell.plot import (
     animate,
@@ -28,6 +29,7 @@ from brinell.plot.quantities import QUANTITIES, quantity_of
 from brinell.results import History, RunError, open_run
 from figure_parts import curve, texts
 
+CASES = Path(__file__).parents[2] / "cases"
 MakeRun = Callable[..., Path]
 A_C, S_Y, ALPHA_C, P_C, U_C = 1.052209e-2, 0.9115e9, 2.214290e-4, 3.460928e5, 30.65398
 
@@ -312,3 +314,18 @@ def test_mp4_needs_ffmpeg(make_run: MakeRun, tmp_path: Path, monkeypatch: pytest
     monkeypatch.setattr(FFMpegWriter, "isAvailable", classmethod(lambda _: False))
     with pytest.raises(InputError, match=r"ffmpeg, which is not installed; \.gif works without it"):
         save_animation(animation, tmp_path / "a.mp4")
+
+
+def test_interfaces_of_coated_bodies_are_drawn(tmp_path: Path) -> None:
+    case = Case.from_file(CASES / "indentation-coated" / "case.toml", ["grid.resolution=6", "indentation.steps=2"])
+    case.run(tmp_path / "coated")
+    run = open_run(tmp_path / "coated")
+    contact_radius = run.summary["critical"]["contact_radius_m"]
+    drawn = [
+        line
+        for line in section(run, run.snapshot("final"), bodies="lower").axes[0].get_lines()
+        if line.get_linestyle() == "--"
+    ]
+    np.testing.assert_allclose([line.get_ydata() for line in drawn], [[-1e-6 / contact_radius] * 2])
+    marked = [line for line in stress_over_depth(run).axes[0].get_lines() if line.get_linestyle() == "--"]
+    assert any(np.allclose(np.asarray(line.get_xdata()) * 1e-6, 1e-6) for line in marked)

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from brinell.plot import style
+from brinell.plot.interfaces import mark_interfaces
 from brinell.plot.overlay import largest, looks, zero_line
 from brinell.plot.planes import Plane, on_plane
 from brinell.plot.quantities import QUANTITIES, Quantity
@@ -37,7 +38,7 @@ def stress_over_depth(
     bodies: Bodies = "both",
     ax: style.Target | None = None,
 ) -> Figure:
-    """Normal stresses and equivalent plastic strain over the depth under one point.
+    """Normal stresses and equivalent plastic strain over the depth under one point; interfaces of layers are dashed.
 
     Args:
         run: where the scales come from.
@@ -66,10 +67,12 @@ def stress_over_depth(
     *panels, last = fig.subplots(1, 1 + len(with_stress), sharex=True)
     for ax, side in zip(panels, with_stress, strict=True):
         _draw_stress(ax, side, lines[side.name], depth, stress)
+        mark_interfaces(ax, run, side, depth.size)
         ax.sharey(panels[0])
         ax.set_title(f"{'stress' if state.in_contact else 'residual stress'}, {side.name}")
     for side in with_stress:
         strain = lines[side.name]["equivalent_plastic_strain"] / PERCENT.size
+        mark_interfaces(last, run, side, depth.size)
         last.plot(side.body.z / depth.size, strain, color=side.colour, linestyle=side.dash, label=side.name)
     last.set_title("equivalent plastic strain")
     if len(with_stress) > 1:

@@ -29,6 +29,7 @@ from brinell.plot.cuts import (
     usual_quantities,
     window_of,
 )
+from brinell.plot.interfaces import draw_interfaces
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import quantity_of
 from brinell.plot.scales import Scale, Scales
@@ -72,7 +73,8 @@ def section(
 
     On a plane along y or x the lower body lies below, the upper one is mirrored above it; they share the line of
     contact. A rigid body in contact is a grey strip; a body with nothing to show is left out. On a plane z, at a
-    depth of each body, there is a picture per body, with the outline of the contact. While the bodies touch, x' is
+    depth of each body, there is a picture per body, with the outline of the contact. Interfaces
+    of coated bodies are dashed. While the bodies touch, x' is
     measured from the centre of contact, also that of the plane; afterwards each body keeps its own coordinate.
 
     Args:
@@ -136,6 +138,7 @@ def _upright(
     axes = np.atleast_1d(fig.subplots(rows, columns, sharex=True, sharey=True))
     for ax, panel in zip(axes, panels, strict=True):
         draw_panel(ax, panel, window, length.size, interpolation)
+        draw_interfaces(ax, run, panel.cuts, length.size)
         upright_axes(ax, snapshot, panel, window, length.size)
         if panel_height > to_scale:
             few_ticks(ax, panel_height)
