@@ -117,9 +117,13 @@ TEST_F(Errors, AWordInThePlaceOfATableNamesItsKey)
 
 TEST_F(Errors, SchemaNamesTheKeysWithAWord)
 {
-  expect_refused({"schema", "hardening"}, {"there is no key hardening; with that word: lower.material.hardening\n"});
+  expect_refused(
+      {"schema", "hardening"},
+      {"there is no key hardening; with that word: lower.material.hardening, lower.material.layers.hardening\n"});
   expect_refused({"schema", "yield"}, {"lower.material.hardening.yield_stress, lower.material.hardening.yield_from, "
-                                       "lower.material.hardening.yield_offset, lower.material.yield_profile, solver."});
+                                       "lower.material.hardening.yield_offset, "
+                                       "lower.material.layers.hardening.yield_stress, lower.material.yield_profile, "
+                                       "solver."});
 }
 
 TEST_F(Errors, MissingFile)

@@ -6,19 +6,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import accumulate
 
+import tomllib
 from matplotlib.axes import Axes
 from matplotlib.patheffects import withStroke
 
 from brinell.plot.cuts import Cut
 from brinell.plot.states import Side
-from brinell.results import Run
+from brinell.results import Run, RunError
 
 __all__ = ["draw_interfaces", "interfaces_of", "mark_interfaces"]
 
 
 def interfaces_of(run: Run, side: Side) -> list[float]:
     """Depths of the interfaces of a body [m], from the surface down; empty for a homogeneous one."""
-    layers = run.case(side.name.split()[0], "material", "layers") or []
+    try:
+        case = tomllib.loads(run.case_text)  # also of a run that has not finished
+    except RunError:
+        return []
+    layers = case.get(side.name.split()[0], {}).get("material", {}).get("layers", [])
     return list(accumulate(layer["thickness"] for layer in ([layers] if isinstance(layers, dict) else layers)))
 
 
