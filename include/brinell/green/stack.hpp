@@ -7,10 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace brinell
-{
-
-namespace green
+namespace brinell::green
 {
 
 /// A unit traction on the surface with one wavevector, in the frame of the wavevector: l along it, t across it, z down.
@@ -117,5 +114,4 @@ private:
   std::vector<Layer> layers_; ///< the last one is the substrate, unless that is rigid
 };
 
-} // namespace green
-} // namespace brinell
+} // namespace brinell::green

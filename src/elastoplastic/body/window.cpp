@@ -30,8 +30,8 @@ void copy_load(const halfspace::SurfaceLoad& load, StoredLoad& kept)
     kept[t].assign(parts[t].begin(), parts[t].end());
 }
 
-Window::Window(const VolumeGrid& body, const ElasticStack& elastic, halfspace::HalfSpace::Ranks ranks)
-    : body_(body), all_layers_(body.nz), elastic_(elastic), ranks_(std::move(ranks)),
+Window::Window(const VolumeGrid& body, ElasticStack elastic, halfspace::HalfSpace::Ranks ranks)
+    : body_(body), all_layers_(body.nz), elastic_(std::move(elastic)), ranks_(std::move(ranks)),
       share_(ranks_->rank(), ranks_->size()), cells_(body), requests_(window_shares.size(), 0.0)
 {
   body_.nz = cells_.nz = share_.count(all_layers_);

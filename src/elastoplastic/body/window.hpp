@@ -45,7 +45,7 @@ class Window
 {
 public:
   /// @param ranks  that share the body; fields are those of the own layers
-  Window(const VolumeGrid& body, const ElasticStack& elastic, halfspace::HalfSpace::Ranks ranks);
+  Window(const VolumeGrid& body, ElasticStack elastic, halfspace::HalfSpace::Ranks ranks);
 
   /// A consistent solution for the whole body.
   struct Reference

@@ -31,7 +31,8 @@ HalfSpace::DilatationWork HalfSpace::make_dilatation_work() const
     throw InputError("a dilatation in a body with layers of other elastic constants; allowed: a homogeneous body");
   operators_->require_alone("HalfSpace::make_dilatation_work");
   DilatationWork work;
-  work.buffers_ = std::make_unique<DilatationWork::Buffers>(operators_->dilatation_stress().make_work());
+  work.buffers_ =
+      std::make_unique<DilatationWork::Buffers>(DilatationWork::Buffers{operators_->dilatation_stress().make_work()});
   return work;
 }
 
