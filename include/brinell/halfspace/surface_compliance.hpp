@@ -14,6 +14,11 @@
 namespace brinell::halfspace
 {
 
+/// Checks that the cells represent the first layer. A layer of a quarter of a cell leaves e^{-14} of the waves shorter than
+/// those that are summed. Waves of a surface that is periodic along both axes represent any layer.
+/// @throws InputError if the first layer is thinner
+void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack);
+
 /// Pressure and shears on one surface grid -> elastic displacement of two half spaces: docs/theory/half-space.md
 /// (surface-displacement, traction-displacement).
 ///

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/halfspace/half_space.hpp"
 
+#include "brinell/halfspace/surface_compliance.hpp"
+
 #include "brinell/foundation/error.hpp"
 #include "foundation/fft.hpp"
 #include "foundation/sharing.hpp"

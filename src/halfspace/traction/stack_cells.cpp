@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stack_cells.hpp"
 
+#include "brinell/halfspace/surface_compliance.hpp"
+
 #include "brinell/foundation/error.hpp"
 #include "foundation/fft.hpp"
 #include "radial_table.hpp"

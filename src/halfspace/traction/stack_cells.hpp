@@ -17,11 +17,6 @@
 namespace brinell::halfspace
 {
 
-/// Checks that the cells represent the first layer. A layer of a quarter of a cell leaves e^{-14} of the waves shorter than
-/// those that are summed. Waves of a surface that is periodic along both axes represent any layer.
-/// @throws InputError if the first layer is thinner
-void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack);
-
 /// Displacement along z by a unit pressure on a cell of a layered body, less that of a homogeneous body of its top material
 /// [m/Pa].
 /// @param reference  as for cell_displacement

@@ -148,7 +148,8 @@ std::string text_with(const CaseValues& values,
     const auto dot = key.rfind('.');
     const std::string parent = dot == key.npos ? "" : key.substr(0, dot);
     if (parent != table)
-      text += fmt::format(fmt::runtime(parent.ends_with(']') ? "\n[[{}]]\n" : "\n[{}]\n"), plain_key(parent));
+      text += parent.ends_with(']') ? fmt::format("\n[[{}]]\n", plain_key(parent))
+                                    : fmt::format("\n[{}]\n", plain_key(parent));
     table = parent;
     if (const auto line = replaced(key, value))
       text += *line;

@@ -29,6 +29,10 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
   constexpr double stiffest = 1e15; // [Pa], a thousand times diamond; far above it small numbers in the fields are lost
   constexpr double stiffest_gigapascal = 1300.0; // diamond has 1100 GPa
   const double E = material.elastic.young_modulus;
+  if (!material.layers.empty())
+    c.notes.push_back(fmt::format("{}.material.layers: first yield, forecast and expected errors are those of the "
+                                  "substrate without layers",
+                                  name));
   if (E < softest)
     warn(c, "soft_material",
          "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} {}\"?", name,

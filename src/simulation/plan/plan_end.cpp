@@ -7,6 +7,7 @@
 #include "memory.hpp"
 
 #include "brinell/halfspace/half_space.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 
 #include <tuple>
 
@@ -32,8 +33,13 @@ void check_layers(const PairCase& c, bool sticks, const Plan& plan)
     if (body->fatigue)
       throw PlanError("{} and {}: fatigue is computed for homogeneous bodies only; allowed: one of them", layers,
                       member_of(name, "fatigue"));
+    if (c.wear.wears())
+      throw PlanError("{} and {}: wear would make the layers thinner, which is not computed; allowed: "
+                      "one of them",
+                      c.wear.lower > 0.0 ? "`WearLaw::lower`" : "`WearLaw::upper`", layers);
     try
     {
+      halfspace::require_resolved(plan.contact, body->material.stack());
       if (body->material.is_plastic())
         halfspace::require_aligned(*grid, body->material.stack());
     }
