@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arrays.hpp"
 #include "grids.hpp"
+#include "layers.hpp"
 #include "module.hpp"
 
 #include "brinell/constitutive/material.hpp"
@@ -26,17 +27,6 @@ namespace
 using halfspace::HalfSpace;
 using halfspace::SurfaceCompliance;
 using halfspace::SurfaceLoad;
-
-/// Thickness, Young's modulus and Poisson's ratio of layers, from the surface down.
-using Layers = std::vector<std::tuple<double, double, double>>;
-
-ElasticStack stack_of(const Layers& layers, const constitutive::Material& substrate)
-{
-  ElasticStack stack{{}, substrate.elastic};
-  for (const auto& [thickness, young_modulus, poisson_ratio] : layers)
-    stack.layers.push_back({thickness, {young_modulus, poisson_ratio}});
-  return stack;
-}
 
 Output displacement(const SurfaceCompliance& compliance, const Input& pressure)
 {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arrays.hpp"
+#include "layers.hpp"
 #include "module.hpp"
 
+#include "brinell/reference/coated_contact.hpp"
 #include "brinell/reference/critical.hpp"
 #include "brinell/reference/elastic_tugging.hpp"
 #include "brinell/reference/hertz.hpp"
@@ -10,7 +12,9 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <optional>
 #include <tuple>
@@ -189,6 +193,52 @@ void bind_hertz(nb::module_& m)
         "friction"_a);
 }
 
+/// The contact of which `given` is a certain value.
+ref::CoatedContact coated_contact(double radius, const std::string& given, double value, const ElasticStack& lower,
+                                  const ElasticStack& upper)
+{
+  if (given == "load")
+    return ref::CoatedContact::at_load(radius, value, lower, upper);
+  if (given == "approach")
+    return ref::CoatedContact::at_approach(radius, value, lower, upper);
+  return {radius, value, lower, upper};
+}
+
+void bind_coated(nb::module_& m)
+{
+  nb::class_<ref::CoatedContact>(m, "CoatedContact")
+      .def(
+          "__init__",
+          [](ref::CoatedContact* self, double radius, const std::string& given, double value,
+             const constitutive::Material& lower, const constitutive::Material& upper, const Layers& lower_layers,
+             const Layers& upper_layers)
+          {
+            new (self) ref::CoatedContact(
+                coated_contact(radius, given, value, stack_of(lower_layers, lower), stack_of(upper_layers, upper)));
+          },
+          "radius"_a, "given"_a, "value"_a, "lower"_a, "upper"_a, "lower_layers"_a, "upper_layers"_a)
+      .def_prop_ro("load", &ref::CoatedContact::load)
+      .def_prop_ro("approach", &ref::CoatedContact::approach)
+      .def_prop_ro("contact_radius", &ref::CoatedContact::contact_radius)
+      .def_prop_ro("stiffness", &ref::CoatedContact::stiffness)
+      .def(
+          "pressure",
+          [](const ref::CoatedContact& contact, const Input& r)
+          {
+            const std::size_t n = r.size();
+            const auto rs = values(r, {n}, "r");
+            std::vector<double> pressure(n);
+            without_lock(
+                [&]
+                {
+                  for (std::size_t i = 0; i < n; ++i)
+                    pressure[i] = contact.pressure(rs[i]);
+                });
+            return array(std::move(pressure), {n});
+          },
+          "r"_a);
+}
+
 /// First yield, and what happens there.
 void bind_first_yield(nb::module_& m)
 {
@@ -250,6 +300,7 @@ void bind_indented_sphere(nb::module_& m)
 void bind_reference(nb::module_& m)
 {
   bind_hertz(m);
+  bind_coated(m);
   bind_first_yield(m);
   bind_indented_sphere(m);
   bind_tugging(m);

@@ -176,12 +176,10 @@ class Layer:
         if self.material.is_rigid:
             raise InputError("material of a layer is rigid; allowed: an elastic material, on a rigid body if need be")
 
-
-def _constants(layers: Sequence[Layer]) -> list[tuple[float, float, float]]:
-    return [
-        (number(layer.thickness, "thickness"), layer.material._engine.young_modulus, layer.material.poisson_ratio)
-        for layer in layers
-    ]
+    @property
+    def _constants(self) -> tuple[float, float, float]:
+        material = self.material
+        return number(self.thickness, "thickness"), material._engine.young_modulus, material.poisson_ratio
 
 
 class SurfaceCompliance:
@@ -236,8 +234,8 @@ class SurfaceCompliance:
             lower._engine,
             upper._engine,
             reference or 0.0,
-            _constants(lower_layers),
-            _constants(upper_layers),
+            [layer._constants for layer in lower_layers],
+            [layer._constants for layer in upper_layers],
         )
 
     def __repr__(self) -> str:
@@ -308,7 +306,7 @@ class HalfSpace:
         self.grid = grid
         self.material = material
         self.layers = tuple(layers)
-        self._engine = _core.HalfSpace(grid._engine, material._engine, _constants(layers))
+        self._engine = _core.HalfSpace(grid._engine, material._engine, [layer._constants for layer in layers])
 
     def __repr__(self) -> str:
         return f"<HalfSpace {cells(self.grid.shape)}>"

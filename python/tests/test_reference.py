@@ -6,6 +6,8 @@ import pytest
 
 import brinell
 from brinell import reference
+from brinell.contact import ElasticContact
+from brinell.halfspace import Layer, SurfaceGrid
 from brinell.reference import elastic_tugging_forces, elastic_tugging_reach
 
 ALPHA_C = 2.214290e-4  # R1 = R2 = 1 m, E = 200 GPa, nu = 0.32, S_y = 0.9115 GPa
@@ -205,3 +207,31 @@ def test_peak_and_work_of_elastic_tugging_are_those_of_its_forces() -> None:
 def test_what_is_out_of_range_is_an_input_error(call: Callable[[], object], message: str) -> None:
     with pytest.raises(brinell.InputError, match=message):
         call()
+
+
+def test_coated_contact_is_what_the_cells_find() -> None:
+    steel, coat = brinell.Material("210 GPa", 0.3), Layer(2e-6, brinell.Material("600 GPa", 0.2))
+    contact = reference.CoatedContact(1e-4, steel, load=0.05, lower_layers=[coat])
+    grid = SurfaceGrid(63, 63, contact.contact_radius / 24, contact.contact_radius / 24)
+    cells = ElasticContact(grid, steel, lower_layers=[coat]).solve((grid.x**2 + grid.y**2) / 2e-4, load=0.05)
+    assert cells.approach == pytest.approx(contact.approach, rel=1e-3)
+    middle = contact.pressure(np.hypot(grid.x, grid.y))[31]
+    assert cells.pressure[31, 10:54] == pytest.approx(middle[10:54], abs=0.01 * middle.max())
+    for given in ({"approach": contact.approach}, {"contact_radius": contact.contact_radius}):
+        assert reference.CoatedContact(1e-4, steel, lower_layers=[coat], **given).load == pytest.approx(0.05, rel=1e-11)
+    hertz = reference.point_contact(1e-4, reference.contact_modulus(steel), load=0.05)
+    assert reference.CoatedContact(1e-4, steel, load=0.05).approach == pytest.approx(hertz.approach, rel=1e-12)
+    assert contact.approach < hertz.approach
+    assert contact.stiffness > 0.0
+
+
+def test_coated_contact_refuses() -> None:
+    steel = brinell.Material("210 GPa", 0.3)
+    with pytest.raises(brinell.InputError, match="one of load, approach and contact_radius"):
+        reference.CoatedContact(1e-4, steel, load=1.0, approach=1e-6)
+    with pytest.raises(brinell.InputError, match="load = -1"):
+        reference.CoatedContact(1e-4, steel, load=-1.0)
+    with pytest.raises(brinell.InputError, match="thickness / contact_radius"):
+        reference.CoatedContact(1e-4, steel, load=1.0, lower_layers=[Layer(1e-9, brinell.Material("100 GPa", 0.3))])
+    with pytest.raises(brinell.InputError, match="r is negative"):
+        reference.CoatedContact(1e-4, steel, load=1.0).pressure([-1e-6])

@@ -69,8 +69,9 @@ struct Case
   /// Equivalent radius 1 / (1/R1 + 1/R2) [m], if it is the same in all directions, or for cylinders in plane strain; for tugging,
   /// the one in the plane of motion.
   std::optional<double> equivalent_radius;
-  double contact_modulus = 0.0;          ///< E' [Pa]
-  std::optional<FirstYield> first_yield; ///< nominal; empty if there is a reason against it
+  double contact_modulus = 0.0;                       ///< E' [Pa]
+  std::optional<FirstYield> first_yield;              ///< nominal; empty if there is a reason against it
+  std::optional<reference::CoatedYield> coated_yield; ///< of round bodies with layers
   CaseValues values;
   std::string grid_source; ///< "file:line: grid.spacing = ..." for messages about the size of the grid
   std::vector<Warning> warnings;

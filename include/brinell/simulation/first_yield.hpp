@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/reference/coated_contact.hpp"
 #include "brinell/reference/critical.hpp"
 #include "brinell/simulation/scenario.hpp"
 
@@ -73,6 +74,11 @@ struct FirstYield
 /// @param friction  as for `earliest_yield`
 [[nodiscard]] std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const ShapedBody& upper,
                                                              const Domain& domain, double friction);
+
+/// First yield of round bodies that touch in a point, one of them with layers, by the yield stress at each depth and without
+/// friction. The values above are those of the substrates. Empty for other bodies, and where `reference::coated_first_yield` is.
+[[nodiscard]] std::optional<reference::CoatedYield> coated_yield(const ShapedBody& lower, const ShapedBody& upper,
+                                                                 const Domain& domain);
 
 /// Smallest factor on the yield stress at any depth; 1 without a profile.
 [[nodiscard]] double smallest_yield_factor(const constitutive::Material& material);

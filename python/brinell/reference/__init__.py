@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Closed-form reference solutions: Hertz, first yield, indented spheres, elastic tugging.
+"""Reference solutions without cells: Hertz, coated bodies, first yield, indented spheres, elastic tugging.
 
 Cylinders are in plane strain. Their approach depends logarithmically on a reference distance l, at which the
 displacement is set to zero; the default 2 R/e gives the approach of Green (2005).
@@ -14,6 +14,7 @@ from __future__ import annotations
 import sys
 
 from brinell._arguments import explain_argument_errors
+from brinell.reference.coated import CoatedContact
 from brinell.reference.critical import (
     CriticalValues,
     FirstYield,
@@ -48,6 +49,7 @@ from brinell.reference.spherical_indentation import (
 )
 
 __all__ = [
+    "CoatedContact",
     "CriticalValues",
     "ElasticTugging",
     "EllipticalContact",

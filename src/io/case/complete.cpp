@@ -29,10 +29,6 @@ void warn_of_material(const std::string& name, const constitutive::Material& mat
   constexpr double stiffest = 1e15; // [Pa], a thousand times diamond; far above it small numbers in the fields are lost
   constexpr double stiffest_gigapascal = 1300.0; // diamond has 1100 GPa
   const double E = material.elastic.young_modulus;
-  if (!material.layers.empty())
-    c.notes.push_back(fmt::format("{}.material.layers: first yield, forecast and expected errors are those of the "
-                                  "substrate without layers",
-                                  name));
   if (E < softest)
     warn(c, "soft_material",
          "{}.material.young_modulus is {:.4g} Pa, softer than any solid; is a unit missing, as in \"{:.4g} {}\"?", name,
@@ -153,6 +149,12 @@ void set_first_yield(const ShapedBody& lower, const ShapedBody& upper, const sim
   if (contact_kind(lower.shape, upper.shape, domain) == simulation::ContactKind::line)
     c.equivalent_radius = 1.0 / (*simulation::relative_curvature(lower.shape, upper.shape))[0];
   c.first_yield = simulation::nominal_first_yield(lower, upper, domain);
+  c.coated_yield = simulation::coated_yield(lower, upper, domain);
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+    if (!body->material.layers.empty())
+      c.notes.push_back(fmt::format("{}.material.layers: {}forecast and expected errors are those of the substrate "
+                                    "without layers",
+                                    name, c.coated_yield ? "normalised quantities, " : "first yield, "));
 }
 
 /// Reads both bodies, and derives the quantities that depend on them alone.

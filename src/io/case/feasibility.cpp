@@ -30,6 +30,21 @@ std::string volume_text(const VolumeGrid& grid, bool surface_only)
   return fmt::format("{} x {} x {} cells", grid.surface.nx, grid.surface.ny, grid.nz);
 }
 
+/// First yield of bodies with layers.
+std::string coated_report(const reference::CoatedYield& yield, const simulation::PairCase& s)
+{
+  const constitutive::Material& material = yield.in_upper ? s.upper.material : s.lower.material;
+  const std::string part =
+      yield.place.layer < material.layers.size()
+          ? fmt::format("layer {} of the {} body", yield.place.layer + 1, yield.in_upper ? "upper" : "lower")
+          : fmt::format("the {} body{}", yield.in_upper ? "upper" : "lower",
+                        material.layers.empty() ? "" : " beneath its layers");
+  return fmt::format("# First yield with layers, in {}: approach {:.4e} m, load {:.4e} N, contact radius {:.4e} m, "
+                     "pressure on the axis {:.4e} Pa;\n#   at a depth of {:.4e} m, {:.4e} m from the axis\n",
+                     part, yield.approach, yield.load, yield.contact_radius, yield.peak_pressure, yield.place.depth,
+                     yield.place.r);
+}
+
 std::string critical_report(const Case& c)
 {
   std::string text = fmt::format("# Contact: E' = {:.6e} Pa", c.contact_modulus);
@@ -44,16 +59,19 @@ std::string critical_report(const Case& c)
   }
   const auto& critical = c.first_yield->critical;
   constexpr std::array bodies{"the lower body yields first", "the upper body yields first", "both bodies alike"};
-  text += fmt::format("# First yield ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
+  text += fmt::format("# First yield{} ({}): C = {:.6f}, alpha_c = {:.6e} m, P_c = {:.6e} N, U_c = {:.6e} J,\n"
                       "#   contact {} = {:.6e} m, peak pressure = {:.6e} Pa\n",
-                      bodies[static_cast<std::size_t>(c.first_yield->body)], critical.C, critical.interference,
-                      critical.load, critical.energy, c.first_yield->line ? "half-width" : "radius",
-                      critical.contact_radius, critical.peak_pressure);
+                      c.coated_yield ? " without layers" : "", bodies[static_cast<std::size_t>(c.first_yield->body)],
+                      critical.C, critical.interference, critical.load, critical.energy,
+                      c.first_yield->line ? "half-width" : "radius", critical.contact_radius, critical.peak_pressure);
   if (const auto& line = c.first_yield->line)
     text += fmt::format("#   P_c and U_c of a line of {:g} m, alpha_c with grid.reference = {:.6e} m\n", line->length,
                         line->reference);
-  return text + std::visit([&](const auto& scenario) { return io_of(scenario).drive_at_yield(scenario, critical); },
-                           c.scenario);
+  text +=
+      std::visit([&](const auto& scenario) { return io_of(scenario).drive_at_yield(scenario, critical); }, c.scenario);
+  if (c.coated_yield)
+    text += std::visit([&](const auto& scenario) { return coated_report(*c.coated_yield, scenario); }, c.scenario);
+  return text;
 }
 
 /// How far the pressure is above that at first yield, with the friction of surfaces that slide.

@@ -36,6 +36,15 @@ Json critical_json(const Case& c)
                {"contact", nullptr},
                {"line_length_m", nullptr},
                {"line_reference_m", nullptr}};
+  if (const auto& coated = c.coated_yield)
+    json["with_layers"] = {{"interference_m", coated->approach},
+                           {"load_N", coated->load},
+                           {"contact_radius_m", coated->contact_radius},
+                           {"pressure_on_axis_Pa", coated->peak_pressure},
+                           {"body", coated->in_upper ? "upper" : "lower"},
+                           {"layer", coated->place.layer},
+                           {"depth_m", coated->place.depth},
+                           {"distance_from_axis_m", coated->place.r}};
   if (!c.first_yield)
     return json;
   json["yields_first"] = bodies[static_cast<std::size_t>(c.first_yield->body)];

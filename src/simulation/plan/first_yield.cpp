@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <limits>
+#include <vector>
 
 namespace brinell::simulation
 {
@@ -88,6 +92,18 @@ std::optional<FirstYield> first_yield_of(const ShapedBody& lower, const ShapedBo
                     yield->body, line};
 }
 
+/// Yield stress of each layer at a depth; empty if the body stays elastic.
+std::function<double(std::size_t, double)> strength_of(const Material& material)
+{
+  if (!material.is_plastic())
+    return {};
+  std::vector<double> stresses;
+  for (const auto& law : material.laws())
+    stresses.push_back(law ? constitutive::initial_yield_stress(*law) : std::numeric_limits<double>::infinity());
+  return [stresses, factor = material.yield_factor](std::size_t layer, double depth)
+  { return stresses.at(layer) * factor.at(depth, 1.0); };
+}
+
 } // namespace
 
 ContactKind contact_kind(const Shape& lower, const Shape& upper, const Domain& domain)
@@ -130,6 +146,19 @@ std::optional<FirstYield> earliest_first_yield(const ShapedBody& lower, const Sh
 {
   const ContactKind kind = contact_kind(lower.shape, upper.shape, domain);
   return first_yield_of(lower, upper, domain, earliest_yield(lower.material, upper.material, kind, friction));
+}
+
+std::optional<reference::CoatedYield> coated_yield(const ShapedBody& lower, const ShapedBody& upper,
+                                                   const Domain& domain)
+{
+  const Material &of_lower = lower.material, &of_upper = upper.material;
+  const std::optional<double> radius = equivalent_radius(lower.shape, upper.shape);
+  if ((of_lower.layers.empty() && of_upper.layers.empty()) || !radius || std::isinf(*radius) ||
+      contact_kind(lower.shape, upper.shape, domain) == ContactKind::line ||
+      (!of_lower.is_plastic() && !of_upper.is_plastic()))
+    return std::nullopt;
+  return reference::coated_first_yield(*radius, of_lower.stack(), of_upper.stack(), strength_of(of_lower),
+                                       strength_of(of_upper));
 }
 
 double smallest_yield_factor(const Material& material)
