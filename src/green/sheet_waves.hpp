@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/host_device.hpp"
+
 #include <cmath>
 #include <complex>
 
 /// The waves of stress that a thin sheet of plastic strain causes in a half space, in the frame of its wavevector:
 /// direction l along the surface, t across it, z down (docs/theory/half-space.md: (sheet-stress), (sheet-shear),
 /// (free-surface)). Written for any number: `Real` is a double or several of them in lanes, `Cplx` the complex values of
-/// the same kind, for which `times_i` gives i times a value.
+/// the same kind, for which `times_i` gives i times a value. Of lanes, of a ComplexNumber and in a CUDA thread the text is this one.
 namespace brinell::green
 {
 
@@ -25,7 +27,7 @@ struct WaveDirection
 };
 
 /// @param m, n  not both zero
-inline WaveDirection<double> direction_of(double m, double n)
+BRINELL_HOST_DEVICE inline WaveDirection<double> direction_of(double m, double n)
 {
   const double k = std::hypot(m, n);
   return {m / k, n / k, m * m / (k * k), n * n / (k * k), m * n / (k * k)};
@@ -41,8 +43,8 @@ struct SheetStrain
 };
 
 template <typename Real, typename Cplx>
-SheetStrain<Cplx> in_wave_frame(const WaveDirection<Real>& f, double nu, const Cplx& xx, const Cplx& yy, const Cplx& yz,
-                                const Cplx& xz, const Cplx& xy)
+BRINELL_HOST_DEVICE SheetStrain<Cplx> in_wave_frame(const WaveDirection<Real>& f, double nu, const Cplx& xx,
+                                                    const Cplx& yy, const Cplx& yz, const Cplx& xz, const Cplx& xy)
 {
   const Cplx ll = f.lx2 * xx + f.ly2 * yy + 2.0 * (f.lxly * xy);
   const Cplx zz = -1.0 * (xx + yy);
@@ -59,7 +61,7 @@ struct SheetWave
 
 /// @param g  +1 for the waves that go down, -1 for those that go up
 template <typename Cplx>
-SheetWave<Cplx> wave_of(const SheetStrain<Cplx>& strain, double g)
+BRINELL_HOST_DEVICE SheetWave<Cplx> wave_of(const SheetStrain<Cplx>& strain, double g)
 {
   return {strain.a, strain.d + 2.0 * g * times_i(strain.lz), strain.lt + g * times_i(strain.tz)};
 }
@@ -68,7 +70,7 @@ SheetWave<Cplx> wave_of(const SheetStrain<Cplx>& strain, double g)
 /// `up` contains the sums of these waves at the surface, each with its decay from its source, and `lagging` is the sum of
 /// k z' c.
 template <typename Cplx>
-SheetWave<Cplx> reflected(const SheetWave<Cplx>& up, const Cplx& lagging)
+BRINELL_HOST_DEVICE SheetWave<Cplx> reflected(const SheetWave<Cplx>& up, const Cplx& lagging)
 {
   const Cplx f = up.a - lagging;
   return {-1.0 * f, up.c + 2.0 * f, up.w};
@@ -82,8 +84,8 @@ struct AxesStress
 };
 
 template <typename Real, typename Cplx>
-AxesStress<Cplx> in_axes(const WaveDirection<Real>& f, double nu, const Cplx& ll, const Cplx& zz, const Cplx& lz,
-                         const Cplx& lt, const Cplx& tz)
+BRINELL_HOST_DEVICE AxesStress<Cplx> in_axes(const WaveDirection<Real>& f, double nu, const Cplx& ll, const Cplx& zz,
+                                             const Cplx& lz, const Cplx& lt, const Cplx& tz)
 {
   const Cplx trace = (1.0 + nu) * (ll + zz); // sigma_tt = nu (ll + zz): plane strain across the wavevector
   const Cplx deviator_ll = ll - (1.0 / 3.0) * trace;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/constitutive/user_hardening.hpp"
+#include "brinell/foundation/host_device.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,9 @@ struct PerfectPlasticity
 {
   double yield_stress = 0.0; ///< [Pa], > 0
 
-  [[nodiscard]] double yield_stress_at(double /*e*/) const { return yield_stress; }
-  [[nodiscard]] double modulus_at(double /*e*/) const { return 0.0; }
-  [[nodiscard]] double work(double e) const { return yield_stress * e; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double /*e*/) const { return yield_stress; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double /*e*/) const { return 0.0; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const { return yield_stress * e; }
   bool operator==(const PerfectPlasticity&) const = default;
 };
 
@@ -36,9 +37,9 @@ struct LinearHardening
   double yield_stress = 0.0; ///< initial yield stress [Pa], > 0
   double modulus = 0.0;      ///< plastic modulus [Pa], >= 0
 
-  [[nodiscard]] double yield_stress_at(double e) const { return yield_stress + modulus * e; }
-  [[nodiscard]] double modulus_at(double /*e*/) const { return modulus; }
-  [[nodiscard]] double work(double e) const { return (yield_stress + 0.5 * modulus * e) * e; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double e) const { return yield_stress + modulus * e; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double /*e*/) const { return modulus; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const { return (yield_stress + 0.5 * modulus * e) * e; }
   bool operator==(const LinearHardening&) const = default;
 };
 
@@ -49,12 +50,15 @@ struct SwiftHardening
   double offset = 0.0;      ///< e_0 [-], > 0
   double exponent = 0.0;    ///< n, in [0, 1]
 
-  [[nodiscard]] double yield_stress_at(double e) const { return coefficient * std::pow(offset + e, exponent); }
-  [[nodiscard]] double modulus_at(double e) const
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double e) const
+  {
+    return coefficient * std::pow(offset + e, exponent);
+  }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double e) const
   {
     return coefficient * exponent * std::pow(offset + e, exponent - 1.0);
   }
-  [[nodiscard]] double work(double e) const
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const
   {
     return coefficient / (exponent + 1.0) * (std::pow(offset + e, exponent + 1.0) - std::pow(offset, exponent + 1.0));
   }
@@ -81,9 +85,15 @@ struct LudwikHardening
   double coefficient = 0.0;  ///< [Pa], >= 0
   double exponent = 1.0;     ///< in (0, 1]
 
-  [[nodiscard]] double yield_stress_at(double e) const { return yield_stress + coefficient * std::pow(e, exponent); }
-  [[nodiscard]] double modulus_at(double e) const { return coefficient * exponent * std::pow(e, exponent - 1.0); }
-  [[nodiscard]] double work(double e) const
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double e) const
+  {
+    return yield_stress + coefficient * std::pow(e, exponent);
+  }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double e) const
+  {
+    return coefficient * exponent * std::pow(e, exponent - 1.0);
+  }
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const
   {
     return yield_stress * e + coefficient / (exponent + 1.0) * std::pow(e, exponent + 1.0);
   }
@@ -97,13 +107,48 @@ struct VoceHardening
   double saturation = 0.0;   ///< largest rise of the yield stress [Pa], >= 0
   double rate = 0.0;         ///< [-], > 0
 
-  [[nodiscard]] double yield_stress_at(double e) const { return yield_stress - saturation * std::expm1(-rate * e); }
-  [[nodiscard]] double modulus_at(double e) const { return saturation * rate * std::exp(-rate * e); }
-  [[nodiscard]] double work(double e) const
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double e) const
+  {
+    return yield_stress - saturation * std::expm1(-rate * e);
+  }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double e) const
+  {
+    return saturation * rate * std::exp(-rate * e);
+  }
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const
   {
     return (yield_stress + saturation) * e + saturation / rate * std::expm1(-rate * e);
   }
   bool operator==(const VoceHardening&) const = default;
+};
+
+/// A law between measured points, without memory of its own: see TabulatedHardening.
+struct HardeningTable
+{
+  const double *strain = nullptr, *stress = nullptr; ///< of `count` points
+  const double* modulus = nullptr;                   ///< from this point to the next; 0 at the last
+  const double* works = nullptr;                     ///< up to this point
+  std::size_t count = 0;
+
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double e) const
+  {
+    const std::size_t i = interval(e);
+    return stress[i] + modulus[i] * (e - strain[i]);
+  }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double e) const { return modulus[interval(e)]; }
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const
+  {
+    const std::size_t i = interval(e);
+    const double beyond = e - strain[i];
+    return works[i] + (stress[i] + 0.5 * modulus[i] * beyond) * beyond;
+  }
+
+private:
+  /// The point at or before e.
+  [[nodiscard]] BRINELL_HOST_DEVICE std::size_t interval(double e) const
+  {
+    return static_cast<std::size_t>(std::upper_bound(strain + 1, strain + count, e) - strain) - 1;
+  }
 };
 
 /// Piecewise linear between measured points; constant beyond the last one.
@@ -115,28 +160,17 @@ public:
   /// @throws InputError
   TabulatedHardening(std::vector<double> plastic_strain, std::vector<double> stress);
 
-  [[nodiscard]] double yield_stress_at(double e) const
+  [[nodiscard]] double yield_stress_at(double e) const { return table().yield_stress_at(e); }
+  [[nodiscard]] double modulus_at(double e) const { return table().modulus_at(e); }
+  [[nodiscard]] double work(double e) const { return table().work(e); }
+  /// View of the points, valid while this object is.
+  [[nodiscard]] HardeningTable table() const
   {
-    const std::size_t i = interval(e);
-    return stress_[i] + modulus_[i] * (e - strain_[i]);
-  }
-  [[nodiscard]] double modulus_at(double e) const { return modulus_[interval(e)]; }
-  [[nodiscard]] double work(double e) const
-  {
-    const std::size_t i = interval(e);
-    const double beyond = e - strain_[i];
-    return work_[i] + (stress_[i] + 0.5 * modulus_[i] * beyond) * beyond;
+    return {strain_.data(), stress_.data(), modulus_.data(), work_.data(), strain_.size()};
   }
   bool operator==(const TabulatedHardening&) const = default;
 
 private:
-  /// The point at or before e.
-  [[nodiscard]] std::size_t interval(double e) const
-  {
-    const auto after = std::upper_bound(strain_.begin() + 1, strain_.end(), e);
-    return static_cast<std::size_t>(after - strain_.begin()) - 1;
-  }
-
   std::vector<double> strain_, stress_;
   std::vector<double> modulus_; ///< from this point to the next; 0 at the last
   std::vector<double> work_;    ///< up to this point
@@ -152,9 +186,9 @@ struct ScaledLaw
   const Law& law;
   double factor = 1.0; ///< > 0
 
-  [[nodiscard]] double yield_stress_at(double e) const { return factor * law.yield_stress_at(e); }
-  [[nodiscard]] double modulus_at(double e) const { return factor * law.modulus_at(e); }
-  [[nodiscard]] double work(double e) const { return factor * law.work(e); }
+  [[nodiscard]] BRINELL_HOST_DEVICE double yield_stress_at(double e) const { return factor * law.yield_stress_at(e); }
+  [[nodiscard]] BRINELL_HOST_DEVICE double modulus_at(double e) const { return factor * law.modulus_at(e); }
+  [[nodiscard]] BRINELL_HOST_DEVICE double work(double e) const { return factor * law.work(e); }
 };
 
 /// Yield stress of the virgin material [Pa].

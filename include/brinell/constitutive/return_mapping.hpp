@@ -27,7 +27,7 @@ namespace detail
 /// far. The slope of sigma_y may be infinite at the start of a law.
 /// @param x  initial guess with f(x) <= 0, up to rounding: the root for perfect plasticity, as hardening only reduces the flow.
 template <typename Law, typename Overstress>
-double consistent_multiplier(const Law& law, double e, const Overstress& overstress, double x)
+BRINELL_HOST_DEVICE double consistent_multiplier(const Law& law, double e, const Overstress& overstress, double x)
 {
   double low = 0.0;
   double high = x;
@@ -52,7 +52,7 @@ double consistent_multiplier(const Law& law, double e, const Overstress& overstr
 /// @param e    equivalent plastic strain before the increment
 /// @param mu   shear modulus [Pa]
 template <typename Law>
-[[nodiscard]] PlasticIncrement radial_return(const Deviator& q, double e, double mu, const Law& law)
+[[nodiscard]] BRINELL_HOST_DEVICE PlasticIncrement radial_return(const Deviator& q, double e, double mu, const Law& law)
 {
   const double trial = von_mises(q);
   const double yield = law.yield_stress_at(e);
@@ -69,7 +69,7 @@ template <typename Law>
 
 /// Point where the straight line from `from` to `to` leaves the yield surface: |from + b (to - from)| = yield. @returns b in
 /// [0, 1]; 0 if the line starts outside the yield surface.
-[[nodiscard]] inline double yield_crossing(const Deviator& from, const Deviator& to, double yield)
+[[nodiscard]] BRINELL_HOST_DEVICE inline double yield_crossing(const Deviator& from, const Deviator& to, double yield)
 {
   const Deviator d = to - from;
   const double dd = 1.5 * contract(d, d);
@@ -82,7 +82,8 @@ template <typename Law>
 /// where it reaches the yield surface, the flow is along the mean of the normals at both ends of the rest of the path
 /// (generalised trapezoidal rule, Ortiz, Popov 1985), and the yield condition holds at the end.
 template <typename Law>
-[[nodiscard]] PlasticIncrement path_return(const Deviator& s0, const Deviator& q, double e, double mu, const Law& law)
+[[nodiscard]] BRINELL_HOST_DEVICE PlasticIncrement path_return(const Deviator& s0, const Deviator& q, double e,
+                                                               double mu, const Law& law)
 {
   const double yield = law.yield_stress_at(e);
   const double trial = von_mises(q);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/host_device.hpp"
 #include "brinell/foundation/sym_tensor.hpp"
 
 #include <array>
@@ -27,12 +28,12 @@ struct Deviator
 
   std::array<double, size> v{};
 
-  double& operator[](int i) { return v[static_cast<std::size_t>(i)]; }
-  double operator[](int i) const { return v[static_cast<std::size_t>(i)]; }
+  BRINELL_HOST_DEVICE double& operator[](int i) { return v[static_cast<std::size_t>(i)]; }
+  BRINELL_HOST_DEVICE double operator[](int i) const { return v[static_cast<std::size_t>(i)]; }
   bool operator==(const Deviator&) const = default;
 };
 
-[[nodiscard]] inline Deviator operator+(const Deviator& a, const Deviator& b)
+[[nodiscard]] BRINELL_HOST_DEVICE inline Deviator operator+(const Deviator& a, const Deviator& b)
 {
   Deviator c;
   for (int i = 0; i < Deviator::size; ++i)
@@ -40,7 +41,7 @@ struct Deviator
   return c;
 }
 
-[[nodiscard]] inline Deviator operator-(const Deviator& a, const Deviator& b)
+[[nodiscard]] BRINELL_HOST_DEVICE inline Deviator operator-(const Deviator& a, const Deviator& b)
 {
   Deviator c;
   for (int i = 0; i < Deviator::size; ++i)
@@ -48,7 +49,7 @@ struct Deviator
   return c;
 }
 
-[[nodiscard]] inline Deviator operator*(double f, const Deviator& a)
+[[nodiscard]] BRINELL_HOST_DEVICE inline Deviator operator*(double f, const Deviator& a)
 {
   Deviator c;
   for (int i = 0; i < Deviator::size; ++i)
@@ -85,7 +86,7 @@ inline void store(const Deviator& d, std::span<double> field, std::size_t cells,
 }
 
 /// Double contraction a : b of two deviators.
-[[nodiscard]] inline double contract(const Deviator& a, const Deviator& b)
+[[nodiscard]] BRINELL_HOST_DEVICE inline double contract(const Deviator& a, const Deviator& b)
 {
   using D = Deviator;
   return 2.0 * (a[D::xx] * b[D::xx] + a[D::yy] * b[D::yy] + a[D::yz] * b[D::yz] + a[D::xz] * b[D::xz] +
@@ -94,7 +95,7 @@ inline void store(const Deviator& d, std::span<double> field, std::size_t cells,
 }
 
 /// von Mises equivalent of a deviatoric stress, sqrt(3/2 s : s).
-[[nodiscard]] inline double von_mises(const Deviator& s)
+[[nodiscard]] BRINELL_HOST_DEVICE inline double von_mises(const Deviator& s)
 {
   return std::sqrt(1.5 * contract(s, s));
 }

@@ -94,7 +94,7 @@ void DilatationStress::go_through(const Factors& f, int row, int strained, int l
     thread.below[static_cast<std::size_t>(layer)] = f.e0 * up;
     up = f.q * up + strain(layer);
   }
-  Wave down = from_boundary(f, {-1.0 * up, 2.0 * up, ComplexLanes{}});
+  Wave down = from_boundary(f, green::SheetWave<ComplexLanes>{-1.0 * up, 2.0 * up, {}});
   for (int layer = 0; layer < layers; ++layer)
   {
     Field s = emit(f, down);

@@ -17,12 +17,6 @@ using layer_waves::Field;
 using layer_waves::Wave;
 using Layer = EigenstrainStress::Layer;
 
-/// The image of the waves that have arrived at the surface, on its way down.
-Wave reflect(const Factors& f, const Wave& up)
-{
-  return from_boundary(f, green::reflected<ComplexLanes>({up.a, up.c, up.w}, lagging(f, up)));
-}
-
 } // namespace
 
 EigenstrainStress::EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft,

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/sym_tensor.hpp"
 #include "foundation/lane_functions.hpp"
+#include "traction_waves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,20 +57,12 @@ void TractionStress::set(int row, int column, int layer, int which, double value
 
 Parity TractionStress::parity(int which) const
 {
-  const bool odd_x = which == Deviator::xz || which == Deviator::xy;
-  const bool odd_y = which == Deviator::yz || which == Deviator::xy;
-  return {odd_x != (traction_ == Traction::shear_x), odd_y != (traction_ == Traction::shear_y)};
+  const Oddness odd = oddness(traction_, which);
+  return {odd.x, odd.y};
 }
 
 namespace
 {
-
-/// Values of a stress that are stored, in the order of the kernels.
-std::array<double, 6> kernel_values(const SymTensor& t)
-{
-  const double mean = trace(t) / 3.0;
-  return {t[0] - mean, t[1] - mean, t[3], t[4], t[5], trace(t)};
-}
 
 double poisson_ratio_of(const ElasticStack& stack, const VolumeGrid& grid, int layer)
 {
@@ -112,73 +105,6 @@ void TractionStress::tabulate_cells(int layer, const ElasticStack& stack, const 
         [&](int i, int j) { return kernel_values(response.at(i, j))[static_cast<std::size_t>(which)]; },
         [&](int row, int column, double value) { set(row, column, layer, which, value); });
 }
-
-namespace
-{
-
-/// Depth factors of a wave, as means over a layer.
-struct LayerMean
-{
-  double level;  ///< of e^{-kz}
-  double rising; ///< of k z e^{-kz}
-};
-
-LayerMean mean_decay(double thickness, int layer)
-{
-  const double top = layer * thickness;
-  const double mean = -std::expm1(-thickness) / thickness;
-  return {std::exp(-top) * mean, std::exp(-top) * ((1.0 + top) * mean - std::exp(-thickness))};
-}
-
-/// With l along the wavevector and t across it, the stress of a wave of unit pressure is e^{-kz} times
-///     ll = -(1 - k z)    zz = -(1 + k z)    tt = -2 nu    lz = i k z
-/// that of a wave of unit shear along l
-///     ll = i (2 - k z)   zz = i k z         tt = 2 i nu   lz = -(1 - k z)
-/// and that of one along t: lt = i, tz = -1 (Johnson 1985, section 13.2; docs/theory/half-space.md).
-/// @param lx, ly  components of the unit vector along l
-/// @return  amplitudes, without the factor i in those that are odd in x and even in y, or the other way round
-SymTensor wave_stress(Traction traction, double lx, double ly, const LayerMean& decay, double nu)
-{
-  if (traction == Traction::shear_y)
-    return xy_exchanged(wave_stress(Traction::shear_x, ly, lx, decay, nu));
-  const double xx = lx * lx, yy = ly * ly;
-  if (traction == Traction::pressure)
-  {
-    const double ll = decay.rising - decay.level;
-    const double tt = -2.0 * nu * decay.level;
-    return {xx * ll + yy * tt, yy * ll + xx * tt, -decay.rising - decay.level,
-            ly * decay.rising, lx * decay.rising, lx * ly * (ll - tt)};
-  }
-  const double ll = 2.0 * decay.level - decay.rising;
-  const double tt = 2.0 * nu * decay.level;
-  const double lz = decay.rising - decay.level;
-  const double lt = decay.level;
-  const double tz = -decay.level;
-  return {lx * (xx * ll + yy * (tt + 2.0 * lt)),
-          lx * (yy * (ll - 2.0 * lt) + xx * tt),
-          lx * decay.rising,
-          lx * ly * (lz - tz),
-          xx * lz + yy * tz,
-          ly * (xx * (ll - tt) + (yy - xx) * lt)};
-}
-
-/// Stress of a uniform unit traction, without mean strain in the plane.
-SymTensor uniform_stress(Traction traction, double nu)
-{
-  const double held = -nu / (1.0 - nu);
-  switch (traction)
-  {
-  case Traction::pressure:
-    return {held, held, -1.0, 0.0, 0.0, 0.0};
-  case Traction::shear_x:
-    return {0.0, 0.0, 0.0, 0.0, -1.0, 0.0};
-  case Traction::shear_y:
-    break;
-  }
-  return {0.0, 0.0, 0.0, -1.0, 0.0, 0.0};
-}
-
-} // namespace
 
 void TractionStress::tabulate_waves(int layer, const ElasticStack& stack, const PaddedFft& fft)
 {
@@ -326,15 +252,10 @@ void TractionStress::add_displacement(int block, int layer, int rows, const Comp
                  const Lanes number = k[c * rows_ + stored];
                  return (below ? sign_below[static_cast<std::size_t>(c)] * number : number) * strain_of;
                };
-               const ComplexLanes e_xx = strain[xx * pitch + row], e_yy = strain[yy * pitch + row];
-               const ComplexLanes sum = e_xx + e_yy;
-               const ComplexLanes in_plane =
-                   times(xx, e_xx + sum) + times(yy, e_yy + sum) + 2.0 * times(xy, strain[xy * pitch + row]);
-               const ComplexLanes across =
-                   2.0 * (times(yz, strain[yz * pitch + row]) + times(xz, strain[xz * pitch + row]));
-               // The kernel of the transpose is the conjugate: conj(i K) = -i K.
-               displacement[row] = displacement[row] +
-                                   thickness * (is_pressure ? in_plane - times_i(across) : across - times_i(in_plane));
+               displacement[row] =
+                   displacement[row] + thickness * betti_product(is_pressure, times, strain[xx * pitch + row],
+                                                                 strain[yy * pitch + row], strain[yz * pitch + row],
+                                                                 strain[xz * pitch + row], strain[xy * pitch + row]);
              });
   };
   traction_ == Traction::pressure ? add_as(std::true_type{}) : add_as(std::false_type{});
