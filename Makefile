@@ -94,7 +94,7 @@ run: .venv/.setup-done
 	@echo "Figures: $(results)/figures/*.png"
 
 # --- Quality ----------------------------------------------------------------------------------------------------------
-cxx_files = $(shell find include src apps tests bench cuda python/bindings -name '*.[ch]pp' -o -name '*.cu')
+cxx_files = $(shell find include src apps tests bench cuda python/bindings -name '*.[ch]pp' -o -name '*.cu' -o -name '*.cuh')
 
 format: build/.setup-packages .venv/.extras-done
 	@clang-format -i $(cxx_files)

@@ -15,11 +15,20 @@ enable_language(CUDA)
 if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION) # CMake 3.25 does not know that nvcc has it
   set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
 endif()
+# CMake looks for libraries in lib64 beside the compiler and then in the system, where those of another CUDA may lie; wheels have lib.
+get_filename_component(cuda_root ${CMAKE_CUDA_COMPILER} REALPATH)
+cmake_path(GET cuda_root PARENT_PATH cuda_root)
+cmake_path(GET cuda_root PARENT_PATH cuda_root)
+foreach(library cufft cudart_static)
+  find_library(CUDA_${library}_LIBRARY ${library} PATHS ${cuda_root}/lib64 ${cuda_root}/lib NO_DEFAULT_PATH)
+endforeach()
 find_package(CUDAToolkit 13 REQUIRED)
 
 file(GLOB cuda_sources CONFIGURE_DEPENDS cuda/*.cu)
 add_library(brinell_cuda STATIC ${cuda_sources})
 set_target_properties(brinell_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF UNITY_BUILD OFF)
-target_include_directories(brinell_cuda PUBLIC ${PROJECT_SOURCE_DIR})
-target_compile_options(brinell_cuda PRIVATE -Xcompiler=-Wall,-Wextra $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
-target_link_libraries(brinell_cuda PRIVATE CUDA::cudart_static)
+target_include_directories(brinell_cuda PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include PRIVATE ${PROJECT_SOURCE_DIR}/src)
+# The mathematics of the engine is compiled for devices, too: kernels may call what is constexpr in the standard library.
+target_compile_options(brinell_cuda PRIVATE --expt-relaxed-constexpr -Xcompiler=-Wall,-Wextra
+  $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
+target_link_libraries(brinell_cuda PRIVATE CUDA::cudart_static CUDA::cufft)

@@ -76,7 +76,8 @@ if(BRINELL_MPI)
 endif()
 if(BRINELL_CUDA)
   file(GLOB cuda_tests CONFIGURE_DEPENDS tests/cuda/*_test.cpp)
-  add_executable(brinell_cuda_tests ${cuda_tests}) # needs nothing of the engine
+  add_executable(brinell_cuda_tests ${cuda_tests}) # of the engine it needs headers alone
+  target_include_directories(brinell_cuda_tests PRIVATE src tests/cuda tests/support)
   target_link_libraries(brinell_cuda_tests PRIVATE brinell_cuda brinell_flags CUDA::cudart_static GTest::gtest GTest::gtest_main)
   gtest_discover_tests(brinell_cuda_tests DISCOVERY_MODE PRE_TEST TEST_PREFIX cuda. PROPERTIES LABELS cuda TIMEOUT 300)
 endif()
@@ -96,6 +97,9 @@ add_test(NAME unit.layers COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/too
 set_tests_properties(unit.layers PROPERTIES LABELS unit)
 add_test(NAME unit.comments COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_comments.py)
 set_tests_properties(unit.comments PROPERTIES LABELS unit)
+add_test(NAME unit.no_cuda COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_no_cuda.py
+  ${CMAKE_NM} $<TARGET_FILE:brinell> $<TARGET_FILE:brinell_program>)
+set_tests_properties(unit.no_cuda PROPERTIES LABELS unit)
 add_test(NAME unit.long COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_long_tests.py
   ${CMAKE_CTEST_COMMAND} ${PROJECT_BINARY_DIR})
 set_tests_properties(unit.long PROPERTIES LABELS unit)

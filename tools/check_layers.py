@@ -16,6 +16,7 @@ FLOORS = {
     "green": {"foundation"},
     "constitutive": {"foundation", "green"},
     "halfspace": {"foundation", "green"},
+    "device": {"foundation", "green", "constitutive", "halfspace"},
     "contact": {"foundation", "green", "halfspace"},
     "elastoplastic": {"foundation", "green", "constitutive", "halfspace", "contact"},
     "reference": {"foundation", "green"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cuda/check.hpp"
 #include "cuda/device.hpp"
+#include "visible_device.hpp"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -10,11 +11,7 @@ namespace brinell::cuda
 namespace
 {
 
-bool has_device()
-{
-  int count = 0;
-  return cudaGetDeviceCount(&count) == cudaSuccess && count > 0;
-}
+using test::has_device;
 
 TEST(CudaDevice, ComputesAndTellsItsMemory)
 {
