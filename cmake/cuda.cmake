@@ -29,6 +29,6 @@ add_library(brinell_cuda STATIC ${cuda_sources})
 set_target_properties(brinell_cuda PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF UNITY_BUILD OFF)
 target_include_directories(brinell_cuda PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include PRIVATE ${PROJECT_SOURCE_DIR}/src)
 # The mathematics of the engine is compiled for devices, too: kernels may call what is constexpr in the standard library.
-target_compile_options(brinell_cuda PRIVATE --expt-relaxed-constexpr -Xcompiler=-Wall,-Wextra
+target_compile_options(brinell_cuda PRIVATE --expt-relaxed-constexpr -Xcompiler=-Wall,-Wextra,-Wno-unknown-pragmas
   $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
 target_link_libraries(brinell_cuda PRIVATE CUDA::cudart_static CUDA::cufft)

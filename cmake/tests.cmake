@@ -76,9 +76,9 @@ if(BRINELL_MPI)
 endif()
 if(BRINELL_CUDA)
   file(GLOB cuda_tests CONFIGURE_DEPENDS tests/cuda/*_test.cpp)
-  add_executable(brinell_cuda_tests ${cuda_tests}) # of the engine it needs headers alone
+  add_executable(brinell_cuda_tests ${cuda_tests} src/constitutive/hardening.cpp) # of the engine it needs no more
   target_include_directories(brinell_cuda_tests PRIVATE src tests/cuda tests/support)
-  target_link_libraries(brinell_cuda_tests PRIVATE brinell_cuda brinell_flags CUDA::cudart_static GTest::gtest GTest::gtest_main)
+  target_link_libraries(brinell_cuda_tests PRIVATE brinell_cuda brinell_flags fmt::fmt CUDA::cudart_static GTest::gtest GTest::gtest_main)
   gtest_discover_tests(brinell_cuda_tests DISCOVERY_MODE PRE_TEST TEST_PREFIX cuda. PROPERTIES LABELS cuda TIMEOUT 300)
 endif()
 # What takes long has a label and begins first. Read by CTest after the tests of the executables, which it finds as it runs.

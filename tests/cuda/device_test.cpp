@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace brinell::cuda
+namespace brinell::cuda::device_test
 {
 namespace
 {
@@ -66,4 +66,4 @@ TEST(CudaDevice, NamesCausesOfErrors)
 }
 
 } // namespace
-} // namespace brinell::cuda
+} // namespace brinell::cuda::device_test

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace brinell::cuda
+namespace brinell::cuda::half_space_test
 {
 namespace
 {
@@ -79,4 +79,4 @@ TEST(CudaHalfSpace, SaysThatThereIsNoDevice)
 }
 
 } // namespace
-} // namespace brinell::cuda
+} // namespace brinell::cuda::half_space_test
