@@ -37,16 +37,21 @@ void check(cufftResult result, const char* action)
     throw DeviceError(std::string(action) + ": " + cause_of(result) + " (cufftResult " + std::to_string(result) + ")");
 }
 
-/// Lengths of 64 bits, because all planes together may have more values than 32 bits count.
-CudaExecutor::Transform::Plan::Plan(const SurfaceGrid& grid, int planes, cufftType type)
+/// Lengths of 64 bits, because all planes together may have more values than 32 bits count. The layouts are told, since those that
+/// cuFFT assumes depend on whether a transform is in place.
+CudaExecutor::Transform::Plan::Plan(int px, int py, int pitch, int planes, cufftType type)
 {
   cufftHandle handle = 0;
   check(cufftCreate(&handle), "plan of a transform");
   handle_ = handle;
-  std::array<long long, 2> lengths{grid.ny, grid.nx};
+  using Lengths = std::array<long long, 2>;
+  Lengths lengths{py, px}, real{py, pitch}, waves{py, px / 2 + 1};
+  const auto plane = [](const Lengths& of) { return of[0] * of[1]; };
+  Lengths& in = type == CUFFT_D2Z ? real : waves;
+  Lengths& out = type == CUFFT_D2Z ? waves : real;
   std::size_t work = 0;
-  const cufftResult result = cufftMakePlanMany64(handle, static_cast<int>(lengths.size()), lengths.data(), nullptr, 1,
-                                                 0, nullptr, 1, 0, type, planes, &work);
+  const cufftResult result = cufftMakePlanMany64(handle, static_cast<int>(lengths.size()), lengths.data(), in.data(), 1,
+                                                 plane(in), out.data(), 1, plane(out), type, planes, &work);
   if (result != CUFFT_SUCCESS)
     cufftDestroy(handle);
   check(result, "plan of a transform");
@@ -58,22 +63,33 @@ CudaExecutor::Transform::Plan::~Plan()
     cufftDestroy(*handle_);
 }
 
-CudaExecutor::Transform::Transform(const SurfaceGrid& grid, int planes)
-    : forward_(grid, planes, CUFFT_D2Z), inverse_(grid, planes, CUFFT_Z2D)
+CudaExecutor::Transform::Transform(const SurfaceGrid& grid, int px, int py, int planes)
+    : padding_{static_cast<std::size_t>(grid.nx), static_cast<std::size_t>(grid.ny), static_cast<std::size_t>(px),
+               static_cast<std::size_t>(py)},
+      planes_(static_cast<std::size_t>(planes)), is_padded_(px != grid.nx || py != grid.ny),
+      forward_(px, py, is_padded_ ? static_cast<int>(padding_.pitch()) : px, planes, CUFFT_D2Z),
+      inverse_(px, py, is_padded_ ? static_cast<int>(padding_.pitch()) : px, planes, CUFFT_Z2D)
 {
 }
 
-/// A transform from one array to another leaves real numbers as they are, though cuFFT does not promise so in its signature.
+/// A transform from one array to another leaves real numbers as they are, though the signature of cuFFT does not promise it.
 void CudaExecutor::Transform::forward(const double* fields, ComplexNumber* spectra)
 {
-  check(cufftExecD2Z(forward_.handle(), const_cast<double*>(fields), reinterpret_cast<cufftDoubleComplex*>(spectra)),
-        "transform of fields");
+  double* from = const_cast<double*>(fields);
+  if (is_padded_)
+  {
+    from = reinterpret_cast<double*>(spectra);
+    CudaExecutor().run("padding", planes_ * padding_.padded(), device::Embed{padding_, fields, from});
+  }
+  check(cufftExecD2Z(forward_.handle(), from, reinterpret_cast<cufftDoubleComplex*>(spectra)), "transform of fields");
 }
 
 void CudaExecutor::Transform::inverse(ComplexNumber* spectra, double* fields)
 {
-  check(cufftExecZ2D(inverse_.handle(), reinterpret_cast<cufftDoubleComplex*>(spectra), fields),
-        "transform of spectra");
+  double* to = is_padded_ ? reinterpret_cast<double*>(spectra) : fields;
+  check(cufftExecZ2D(inverse_.handle(), reinterpret_cast<cufftDoubleComplex*>(spectra), to), "transform of spectra");
+  if (is_padded_)
+    CudaExecutor().run("end of padding", planes_ * padding_.cells(), device::Extract{padding_, to, fields});
 }
 
 } // namespace brinell::cuda

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "cuda/check.hpp"
+#include "device/padding_kernels.hpp"
 #include "foundation/complex_number.hpp"
 
 #include <cstddef>
@@ -99,11 +100,11 @@ public:
     check_launch(name);
   }
 
-  /// Real transforms of many planes at once, by cuFFT.
+  /// Real transforms of many planes at once, by cuFFT: in the place of the spectra if planes are padded.
   class Transform
   {
   public:
-    Transform(const SurfaceGrid& grid, int planes);
+    Transform(const SurfaceGrid& grid, int px, int py, int planes);
     void forward(const double* fields, ComplexNumber* spectra);
     void inverse(ComplexNumber* spectra, double* fields);
 
@@ -112,7 +113,8 @@ public:
     class Plan
     {
     public:
-      Plan(const SurfaceGrid& grid, int planes, cufftType type);
+      /// @param pitch  numbers from one row of a real plane to the next
+      Plan(int px, int py, int pitch, int planes, cufftType type);
       Plan(Plan&& other) noexcept : handle_(std::exchange(other.handle_, std::nullopt)) {}
       Plan& operator=(Plan&&) = delete;
       ~Plan();
@@ -121,9 +123,16 @@ public:
     private:
       std::optional<cufftHandle> handle_; ///< none once moved from
     };
+
+    device::Padding padding_;
+    std::size_t planes_;
+    bool is_padded_;
     Plan forward_, inverse_;
   };
-  [[nodiscard]] Transform transform(const SurfaceGrid& grid, int planes) const { return {grid, planes}; }
+  [[nodiscard]] Transform transform(const SurfaceGrid& grid, int px, int py, int planes) const
+  {
+    return {grid, px, py, planes};
+  }
 };
 
 } // namespace brinell::cuda

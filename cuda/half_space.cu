@@ -3,7 +3,7 @@
 
 #include "brinell/foundation/error.hpp"
 #include "cuda/cuda_executor.cuh"
-#include "device/periodic_half_space.hpp"
+#include "device/half_space.hpp"
 
 #include <array>
 #include <string>
@@ -14,23 +14,24 @@ namespace brinell::cuda
 struct HalfSpaceOnDevice::Operators
 {
   CudaExecutor executor;
-  device::PeriodicHalfSpace<CudaExecutor> half_space;
-  device::PeriodicHalfSpace<CudaExecutor>::Work work;
+  device::HalfSpace<CudaExecutor> half_space;
+  device::HalfSpace<CudaExecutor>::Work work;
   DeviceMemory<double> strain, stress, surface;
   std::array<DeviceMemory<double>, 3> tractions;
   bool has_strain = false;
 
-  Operators(const VolumeGrid& grid, const Elastic& elastic)
-      : half_space(grid, elastic, executor), work(half_space.make_work()), strain(Deviator::size * grid.size()),
-        stress(Deviator::size * grid.size()), surface(grid.surface.size())
+  Operators(const VolumeGrid& grid, const Elastic& elastic, const device::BoundaryParts& boundary)
+      : half_space(grid, elastic, boundary, executor), work(half_space.make_work()),
+        strain(Deviator::size * grid.size()), stress(Deviator::size * grid.size()), surface(grid.surface.size())
   {
     for (DeviceMemory<double>& traction : tractions)
       traction = DeviceMemory<double>(grid.surface.size());
   }
 };
 
-HalfSpaceOnDevice::HalfSpaceOnDevice(const VolumeGrid& grid, const Elastic& elastic)
-    : operators_(std::make_unique<Operators>(grid, elastic))
+HalfSpaceOnDevice::HalfSpaceOnDevice(const VolumeGrid& grid, const Elastic& elastic,
+                                     const device::BoundaryParts& boundary)
+    : operators_(std::make_unique<Operators>(grid, elastic, boundary))
 {
 }
 HalfSpaceOnDevice::~HalfSpaceOnDevice() = default;

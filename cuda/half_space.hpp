@@ -4,22 +4,23 @@
 #include "brinell/foundation/grid.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/halfspace/surface_load.hpp"
+#include "device/boundary_parts.hpp"
 
 #include <memory>
 #include <span>
 
-/// The periodic half space on a GPU. The header needs no CUDA.
+/// The half space on a GPU. The header needs no CUDA.
 namespace brinell::cuda
 {
 
-/// Plastic strain and load on the surface -> stress and displacement of a homogeneous half space that is periodic in x and y, as
-/// halfspace::HalfSpace. Each call copies its fields to the device and back.
+/// Plastic strain and load on the surface -> stress and displacement of a homogeneous half space, as halfspace::HalfSpace. Each call copies its fields to the device and back.
 class HalfSpaceOnDevice
 {
 public:
   /// Uses the device that `open_device` has selected for this thread.
-  /// @throws DeviceError, InternalError unless the grid is periodic along both axes
-  HalfSpaceOnDevice(const VolumeGrid& grid, const Elastic& elastic);
+  /// @param boundary  device::boundary_of this body
+  /// @throws DeviceError
+  HalfSpaceOnDevice(const VolumeGrid& grid, const Elastic& elastic, const device::BoundaryParts& boundary);
   ~HalfSpaceOnDevice();
   HalfSpaceOnDevice(HalfSpaceOnDevice&&) noexcept;
   HalfSpaceOnDevice& operator=(HalfSpaceOnDevice&&) noexcept;

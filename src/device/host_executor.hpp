@@ -18,8 +18,9 @@ namespace brinell::device
 ///   allocate<Value>(count)    such an array of zeros;
 ///   write(from, to), read(from, to)   copies of whole arrays to and from there;
 ///   run(name, count, kernel)  calls kernel(n) for all n < count, in any order;
-///   transform(grid, planes)   Transform of planes of the grid, one after the other in memory: forward(fields, spectra), inverse(spectra,
-///                             fields), which may destroy the spectra. Neither scales. A spectrum has ny rows of nx / 2 + 1 values.
+///   transform(grid, px, py, planes)   Transform of planes of the grid, one after the other in memory and padded with zeros to px times py:
+///                             forward(fields, spectra), and inverse(spectra, fields), which may destroy the spectra. Neither scales.
+///                             A spectrum has py rows of px / 2 + 1 values.
 class HostExecutor
 {
 public:
@@ -51,7 +52,8 @@ public:
   class Transform
   {
   public:
-    Transform(const SurfaceGrid& grid, int planes) : fft_(grid, grid.nx, grid.ny), planes_(planes), work_(fft_.plane())
+    Transform(const SurfaceGrid& grid, int px, int py, int planes)
+        : fft_(grid, px, py), planes_(planes), work_(fft_.plane())
     {
     }
     void forward(const double* fields, ComplexNumber* spectra)
@@ -73,7 +75,7 @@ public:
           work_[n] = {spectra[n].re, spectra[n].im};
         fft_.inverse(work_.data(), {fields, cells});
         for (std::size_t n = 0; n < cells; ++n)
-          fields[n] *= static_cast<double>(cells);
+          fields[n] *= static_cast<double>(fft_.px()) * fft_.py();
       }
     }
 
@@ -87,7 +89,10 @@ public:
     int planes_;
     AlignedVector<Complex> work_;
   };
-  [[nodiscard]] Transform transform(const SurfaceGrid& grid, int planes) const { return {grid, planes}; }
+  [[nodiscard]] Transform transform(const SurfaceGrid& grid, int px, int py, int planes) const
+  {
+    return {grid, px, py, planes};
+  }
 };
 
 } // namespace brinell::device

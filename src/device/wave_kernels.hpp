@@ -13,23 +13,21 @@
 #include <cstddef>
 #include <numbers>
 
-/// Kernels of a periodic half space, each what one thread does: a wavenumber, or a cell. A field of deviators is [component][layer][cell],
+/// Kernels of a half space, each what one thread does: a wavenumber, or a cell. A field of deviators is [component][layer][cell],
 /// its spectrum [component][layer][row][column].
 namespace brinell::device
 {
 
-/// Wavenumbers of a periodic grid: rows of wrapped indices along y, columns of indices >= 0 along x.
+/// Wavenumbers of transforms of px times py values: rows of wrapped indices along y, columns of indices >= 0 along x.
 struct SurfaceWaves
 {
-  int nx = 0, ny = 0;
+  int px = 0, py = 0;
   double dx = 0.0, dy = 0.0;
 
-  explicit SurfaceWaves(const SurfaceGrid& grid) : nx(grid.nx), ny(grid.ny), dx(grid.dx), dy(grid.dy) {}
-
-  [[nodiscard]] BRINELL_HOST_DEVICE int columns() const { return nx / 2 + 1; }
+  [[nodiscard]] BRINELL_HOST_DEVICE int columns() const { return px / 2 + 1; }
   [[nodiscard]] BRINELL_HOST_DEVICE std::size_t size() const
   {
-    return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(ny);
+    return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(py);
   }
   [[nodiscard]] BRINELL_HOST_DEVICE int column(std::size_t wave) const
   {
@@ -40,52 +38,73 @@ struct SurfaceWaves
     return static_cast<int>(wave / static_cast<std::size_t>(columns()));
   }
   /// Whether the wavenumber along y is below 0.
-  [[nodiscard]] BRINELL_HOST_DEVICE bool is_below(std::size_t wave) const { return row(wave) > ny / 2; }
+  [[nodiscard]] BRINELL_HOST_DEVICE bool is_below(std::size_t wave) const { return row(wave) > py / 2; }
   /// The wave with the magnitude of the wavenumber along y, of which there are `stored`.
   [[nodiscard]] BRINELL_HOST_DEVICE std::size_t folded(std::size_t wave) const
   {
-    return static_cast<std::size_t>(is_below(wave) ? ny - row(wave) : row(wave)) * static_cast<std::size_t>(columns()) +
+    return static_cast<std::size_t>(is_below(wave) ? py - row(wave) : row(wave)) * static_cast<std::size_t>(columns()) +
            static_cast<std::size_t>(column(wave));
   }
-  [[nodiscard]] std::size_t stored() const
+  [[nodiscard]] BRINELL_HOST_DEVICE std::size_t stored() const
   {
-    return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(ny / 2 + 1);
+    return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(py / 2 + 1);
   }
   /// Whether the wave is the shortest one, whose sign is not defined.
-  [[nodiscard]] BRINELL_HOST_DEVICE bool is_shortest_x(std::size_t wave) const { return 2 * column(wave) == nx; }
-  [[nodiscard]] BRINELL_HOST_DEVICE bool is_shortest_y(std::size_t wave) const { return 2 * row(wave) == ny; }
+  [[nodiscard]] BRINELL_HOST_DEVICE bool is_shortest_x(std::size_t wave) const { return 2 * column(wave) == px; }
+  [[nodiscard]] BRINELL_HOST_DEVICE bool is_shortest_y(std::size_t wave) const { return 2 * row(wave) == py; }
   /// Wavenumbers [rad/m].
   [[nodiscard]] BRINELL_HOST_DEVICE double m(std::size_t wave) const
   {
-    return 2.0 * std::numbers::pi * column(wave) / (nx * dx);
+    return 2.0 * std::numbers::pi * column(wave) / (px * dx);
   }
   [[nodiscard]] BRINELL_HOST_DEVICE double n(std::size_t wave) const
   {
-    return 2.0 * std::numbers::pi * (is_below(wave) ? row(wave) - ny : row(wave)) / (ny * dy);
+    return 2.0 * std::numbers::pi * (is_below(wave) ? row(wave) - py : row(wave)) / (py * dy);
   }
 };
 
-/// Stored numbers of the kernels of a wave of traction in one layer; at the shortest wave an odd function cannot be represented on
-/// the grid.
-struct TractionKernel
+/// Kernels of a component of the traction.
+struct TractionKernels
 {
-  std::array<double, Deviator::size + 1> numbers;
+  SurfaceWaves waves;
+  Traction traction;
+  int layers;
+  double dz, nu;
+  const double* table = nullptr; ///< BoundaryParts::kernels; nullptr: those of waves
 
-  BRINELL_HOST_DEVICE TractionKernel(Traction traction, const SurfaceWaves& waves, std::size_t wave, int layer,
-                                     double dz, double nu)
+  /// Numbers of the deviator at one wavenumber in one layer, without the factor i of those that are imaginary.
+  [[nodiscard]] BRINELL_HOST_DEVICE std::array<double, Deviator::size> at(std::size_t wave, int layer) const
   {
-    const double m = waves.m(wave), n = waves.n(wave), k = std::hypot(m, n);
-    numbers = halfspace::kernel_values(
-        k == 0.0 ? halfspace::uniform_stress(traction, nu)
-                 : halfspace::wave_stress(traction, m / k, n / k, halfspace::mean_decay(k * dz, layer), nu));
-    for (int c = 0; c <= Deviator::size; ++c)
+    std::array<double, Deviator::size> numbers;
+    std::array<double, Deviator::size + 1> of_wave{};
+    if (table == nullptr)
+      of_wave = wave_numbers(wave, layer);
+    for (int c = 0; c < Deviator::size; ++c)
     {
       const halfspace::Oddness odd = halfspace::oddness(traction, c);
-      if ((odd.x && waves.is_shortest_x(wave)) || (odd.y && waves.is_shortest_y(wave)))
-        numbers[static_cast<std::size_t>(c)] = 0.0;
+      double& number = numbers[static_cast<std::size_t>(c)];
+      if (table != nullptr)
+      {
+        number = table[static_cast<std::size_t>(layer * Deviator::size + c) * waves.stored() + waves.folded(wave)];
+        number = odd.y && waves.is_below(wave) ? -number : number;
+      }
+      else // at the shortest wave an odd function cannot be represented on the grid
+        number = (odd.x && waves.is_shortest_x(wave)) || (odd.y && waves.is_shortest_y(wave))
+                     ? 0.0
+                     : of_wave[static_cast<std::size_t>(c)];
     }
+    return numbers;
   }
-  BRINELL_HOST_DEVICE double operator[](int c) const { return numbers[static_cast<std::size_t>(c)]; }
+
+private:
+  [[nodiscard]] BRINELL_HOST_DEVICE std::array<double, Deviator::size + 1> wave_numbers(std::size_t wave,
+                                                                                        int layer) const
+  {
+    const double m = waves.m(wave), n = waves.n(wave), k = std::hypot(m, n);
+    return halfspace::kernel_values(
+        k == 0.0 ? halfspace::uniform_stress(traction, nu)
+                 : halfspace::wave_stress(traction, m / k, n / k, halfspace::mean_decay(k * dz, layer), nu));
+  }
 };
 
 /// Spectrum of the stress at one wavenumber by the plastic strain of all layers, without its local part, and by the traction.
@@ -99,6 +118,7 @@ struct StressOfWave
   const Factors* factors;           ///< of the `stored` waves
   const ComplexNumber* strain;      ///< nullptr: none
   const ComplexNumber* traction[3]; ///< in the order of Traction; nullptr: none
+  const double* kernels[3];         ///< BoundaryParts::kernels
   ComplexNumber* stress;
 
   BRINELL_HOST_DEVICE void operator()(std::size_t wave) const
@@ -175,13 +195,15 @@ private:
   }
   BRINELL_HOST_DEVICE void add_traction(Traction of, const ComplexNumber& amplitude, bool adds, std::size_t wave) const
   {
+    const TractionKernels of_traction{waves, of, layers, dz, nu, kernels[static_cast<int>(of)]};
     for (int layer = 0; layer < layers; ++layer)
     {
-      const TractionKernel kernel(of, waves, wave, layer, dz, nu);
+      const std::array<double, Deviator::size> kernel = of_traction.at(wave, layer);
       for (int c = 0; c < Deviator::size; ++c)
       {
         const halfspace::Oddness odd = halfspace::oddness(of, c);
-        const ComplexNumber part = kernel[c] * (odd.x != odd.y ? times_i(amplitude) : amplitude);
+        const ComplexNumber part =
+            kernel[static_cast<std::size_t>(c)] * (odd.x != odd.y ? times_i(amplitude) : amplitude);
         ComplexNumber& total = stress[at(c, layer, wave)];
         total = adds ? total + part : part;
       }
@@ -192,30 +214,24 @@ private:
 /// Spectrum of the displacement of the surface by the plastic strain, conjugate to a traction.
 struct DisplacementOfWave
 {
-  SurfaceWaves waves;
-  int layers;
-  double dz, nu;
-  Traction traction;
+  TractionKernels kernels;
   const ComplexNumber* strain;
   ComplexNumber* displacement;
 
   BRINELL_HOST_DEVICE void operator()(std::size_t wave) const
   {
     ComplexNumber sum;
-    for (int layer = 0; layer < layers; ++layer)
+    for (int layer = 0; layer < kernels.layers; ++layer)
     {
-      const TractionKernel kernel(traction, waves, wave, layer, dz, nu);
+      const std::array<double, Deviator::size> kernel = kernels.at(wave, layer);
       const auto strain_of = [&](int c)
-      {
-        return strain[(static_cast<std::size_t>(c) * static_cast<std::size_t>(layers) +
-                       static_cast<std::size_t>(layer)) *
-                          waves.size() +
-                      wave];
-      };
-      sum = sum + dz * halfspace::betti_product(
-                           traction == Traction::pressure, [&](int c, const ComplexNumber& e) { return kernel[c] * e; },
-                           strain_of(Deviator::xx), strain_of(Deviator::yy), strain_of(Deviator::yz),
-                           strain_of(Deviator::xz), strain_of(Deviator::xy));
+      { return strain[static_cast<std::size_t>(c * kernels.layers + layer) * kernels.waves.size() + wave]; };
+      sum =
+          sum + kernels.dz * halfspace::betti_product(
+                                 kernels.traction == Traction::pressure,
+                                 [&](int c, const ComplexNumber& e) { return kernel[static_cast<std::size_t>(c)] * e; },
+                                 strain_of(Deviator::xx), strain_of(Deviator::yy), strain_of(Deviator::yz),
+                                 strain_of(Deviator::xz), strain_of(Deviator::xy));
     }
     displacement[wave] = sum;
   }

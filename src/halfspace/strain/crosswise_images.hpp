@@ -44,7 +44,8 @@ public:
   static constexpr int degree = 6; ///< largest power of the distance across the grid
   static constexpr int powers = degree + 1;
   [[nodiscard]] bool is_along_x() const { return along_x_; }
-  [[nodiscard]] int waves() const { return 2 * waves_; } ///< cosines and sines, for one power
+  [[nodiscard]] int waves() const { return 2 * waves_; }       ///< cosines and sines, for one power
+  [[nodiscard]] const Matrix& along() const { return along_; } ///< their values, [cell][wave]
 
   /// As in ImageCorrection: moments of the strain, then the response to them.
   /// @param first, end  cells along the grid that are read; the strain is zero in the others

@@ -56,11 +56,19 @@ public:
   /// Subtracts the stress [Pa] of the images from that of one component in one layer, given on the grid.
   void subtract(const Response& response, int component, int layer, double* stress) const;
 
-private:
   static constexpr int degree = 10;                              ///< largest power of x - x' and y - y' together
   static constexpr int powers = (degree + 1) * (degree + 2) / 2; ///< monomials x^a y^b
+  [[nodiscard]] bool has_images() const { return has_images_; }
+  /// Of a long grid; otherwise nullptr.
+  [[nodiscard]] const CrosswiseImages* crosswise() const { return crosswise_ ? &*crosswise_ : nullptr; }
+  /// Powers of the cells' coordinates, [cell][power].
+  [[nodiscard]] const Matrix& powers_of_x() const { return x_; }
+  [[nodiscard]] const Matrix& powers_of_y() const { return y_; }
   [[nodiscard]] static constexpr int monomial(int a, int b) { return MomentCoupling::monomial(a, b); }
+  /// The polynomial that `subtract` subtracts in one layer: factors of the monomials.
+  [[nodiscard]] std::array<double, powers> polynomial(const Response& response, int component, int layer) const;
 
+private:
   void fit(const ElasticStack& stack, images::Source source, double period_x, double period_y);
   void find_moments(int layers, Response& response) const;
   /// Powers of y in the moments of a field.

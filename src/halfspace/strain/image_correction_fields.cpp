@@ -123,6 +123,18 @@ void ImageCorrection::subtract(const Response& response, int component, int laye
   }
 }
 
+std::array<double, ImageCorrection::powers> ImageCorrection::polynomial(const Response& response, int component,
+                                                                        int layer) const
+{
+  std::array<double, powers> of_depth{};
+  for (int q = 0; q < depth_.count; ++q)
+    for (int p = 0; p < powers; ++p)
+      of_depth[static_cast<std::size_t>(p)] +=
+          depth_.means(layer, q) *
+          response.stress[static_cast<std::size_t>((component * depth_.count + q) * powers + p)];
+  return of_depth;
+}
+
 template <ImageCorrection::PowersOfY has>
 void ImageCorrection::subtract_powers(const Response& response, int component, int layer, double* stress) const
 {
@@ -138,12 +150,7 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
     subtract_product({x_, s.nx, CrosswiseImages::powers},
                      {crosswise_->stress(response.crosswise, component, layer), rows, CrosswiseImages::powers}, stress);
   }
-  std::array<double, powers> of_depth{};
-  for (int q = 0; q < depth_.count; ++q)
-    for (int p = 0; p < powers; ++p)
-      of_depth[static_cast<std::size_t>(p)] +=
-          depth_.means(layer, q) *
-          response.stress[static_cast<std::size_t>((component * depth_.count + q) * powers + p)];
+  const std::array<double, powers> of_depth = polynomial(response, component, layer);
   for (int first = 0; first < s.nx; first += lane_count)
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));

@@ -41,6 +41,11 @@ public:
   {
   }
 
+  /// The stored number of the spectrum of a kernel at a wavenumber >= 0 along y: `oddness` tells its phase.
+  [[nodiscard]] double number(int row, int column, int layer, int component) const
+  {
+    return kernel(column / lane_count, layer, component)[row][column % lane_count];
+  }
   static constexpr int trace = Deviator::size; ///< component index of the trace, after those of the deviator
   /// Adds one component of the stress in one layer by all components of the traction that are not zero, in one pass.
   /// @param kernels        one per component of the traction; nullptr if that component is zero

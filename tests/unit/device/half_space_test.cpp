@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/periodic_half_space.hpp"
+#include "device/half_space.hpp"
 
 #include "brinell/halfspace/half_space.hpp"
 #include "device/host_executor.hpp"
@@ -13,22 +13,39 @@
 
 /// The kernels of a device, run on the processor, against the half space of the engine: the mathematics is one text, the order of
 /// wavenumbers, layers and transforms is not.
-namespace brinell::device::periodic_half_space_test
+namespace brinell::device::half_space_test
 {
 namespace
 {
 
 const Elastic steel{210e9, 0.3}, cork{1.0, 0.0}, rubber{3.0, 0.49};
 
+VolumeGrid grid_of(Boundary along_x, Boundary along_y, int nx, int ny, int nz, double dx, double dy, double dz)
+{
+  return {{nx, ny, dx, dy, along_x, along_y}, nz, dz};
+}
+
 /// Even and odd numbers of cells, one row, one column, one layer, long transforms and long cells.
 std::vector<VolumeGrid> grids()
 {
-  const auto grid = [](int nx, int ny, int nz, double dx, double dy, double dz) {
-    return VolumeGrid{{nx, ny, dx, dy, Boundary::periodic, Boundary::periodic}, nz, dz};
-  };
-  return {grid(16, 12, 5, 1.0, 1.0, 1.0),  grid(15, 9, 7, 1.0, 1.5, 0.5),    grid(32, 1, 8, 1.0, 1.0, 1.0),
-          grid(1, 10, 3, 1.0, 1.0, 1.0),   grid(8, 21, 1, 2e-6, 1e-6, 1e-6), grid(64, 48, 24, 1e-6, 1e-6, 1e-6),
-          grid(13, 22, 4, 1.0, 1.0, 30.0), grid(24, 20, 32, 1.0, 1.0, 0.01)};
+  constexpr Boundary open = Boundary::open, periodic = Boundary::periodic;
+  return {grid_of(periodic, periodic, 16, 12, 5, 1.0, 1.0, 1.0),
+          grid_of(periodic, periodic, 15, 9, 7, 1.0, 1.5, 0.5),
+          grid_of(periodic, periodic, 32, 1, 8, 1.0, 1.0, 1.0),
+          grid_of(periodic, periodic, 1, 10, 3, 1.0, 1.0, 1.0),
+          grid_of(periodic, periodic, 8, 21, 1, 2e-6, 1e-6, 1e-6),
+          grid_of(periodic, periodic, 64, 48, 24, 1e-6, 1e-6, 1e-6),
+          grid_of(periodic, periodic, 13, 22, 4, 1.0, 1.0, 30.0),
+          grid_of(periodic, periodic, 24, 20, 32, 1.0, 1.0, 0.01),
+          grid_of(open, open, 14, 11, 6, 1.0, 1.0, 1.0),
+          grid_of(open, open, 9, 14, 5, 1.5e-6, 1e-6, 0.5e-6),
+          grid_of(open, open, 33, 26, 12, 1.0, 1.0, 0.3),
+          grid_of(open, open, 70, 9, 4, 1.0, 1.0, 1.0),
+          grid_of(open, open, 8, 45, 3, 1.0, 1.0, 0.7),
+          grid_of(open, open, 20, 1, 3, 1.0, 1.0, 1.0),
+          grid_of(open, periodic, 17, 8, 4, 1.0, 1.0, 1.0),
+          grid_of(periodic, open, 8, 15, 4, 1.0, 1.0, 1.0),
+          grid_of(open, periodic, 12, 1, 6, 1.0, 1.0, 1.0)};
 }
 
 double largest(const std::vector<double>& values)
@@ -82,7 +99,7 @@ void expect_like_the_engine(const VolumeGrid& grid, const Elastic& body)
   halfspace::HalfSpace::Work engine_work = engine.make_work();
   const auto loaded = engine.load(strain, grid.nz, engine_work, halfspace::Displacements::all);
   const HostExecutor host;
-  const PeriodicHalfSpace<HostExecutor> twin(grid, body, host);
+  const HalfSpace<HostExecutor> twin(grid, body, boundary_of(grid, body, true), host);
   auto work = twin.make_work();
   twin.load(strain.data(), work);
 
@@ -110,14 +127,14 @@ void expect_like_the_engine(const VolumeGrid& grid, const Elastic& body)
   expect_same(stress, there, "stress with shear");
 }
 
-TEST(DevicePeriodicHalfSpace, IsThatOfTheEngine)
+TEST(DeviceHalfSpace, IsThatOfTheEngine)
 {
   for (const VolumeGrid& grid : grids())
     for (const Elastic& body : {steel, cork, rubber})
       expect_like_the_engine(grid, body);
 }
 
-TEST(DevicePeriodicHalfSpace, OfALoadAloneIsThatOfTheEngine)
+TEST(DeviceHalfSpace, OfALoadAloneIsThatOfTheEngine)
 {
   for (const VolumeGrid& grid : grids())
   {
@@ -127,7 +144,7 @@ TEST(DevicePeriodicHalfSpace, OfALoadAloneIsThatOfTheEngine)
     std::vector<double> none(Deviator::size * grid.size()), there(none), stress(none), z(grid.surface.size(), 7.0);
     engine.load(none, grid.nz, engine_work).stress({.pressure = loads.pressure, .shear_y = loads.shear_y}, there);
     const HostExecutor host;
-    const PeriodicHalfSpace<HostExecutor> twin(grid, steel, host);
+    const HalfSpace<HostExecutor> twin(grid, steel, boundary_of(grid, steel, true), host);
     auto work = twin.make_work();
     twin.load(nullptr, work);
     twin.stress({loads.pressure.data(), nullptr, loads.shear_y.data()}, nullptr, work, stress.data());
@@ -140,7 +157,7 @@ TEST(DevicePeriodicHalfSpace, OfALoadAloneIsThatOfTheEngine)
 }
 
 /// The order of spectra in memory, and their factors, are what the contract of executors says: otherwise cuFFT would not do.
-TEST(DevicePeriodicHalfSpace, WithDirectSumsIsThatOfTheEngine)
+TEST(DeviceHalfSpace, WithDirectSumsIsThatOfTheEngine)
 {
   for (const VolumeGrid& grid : grids())
   {
@@ -153,7 +170,7 @@ TEST(DevicePeriodicHalfSpace, WithDirectSumsIsThatOfTheEngine)
     std::vector<double> there(strain.size()), stress(strain.size());
     engine.load(strain, grid.nz, engine_work).stress({.pressure = loads.pressure, .shear_x = loads.shear_x}, there);
     const test::DirectExecutor direct;
-    const PeriodicHalfSpace<test::DirectExecutor> twin(grid, steel, direct);
+    const HalfSpace<test::DirectExecutor> twin(grid, steel, boundary_of(grid, steel, true), direct);
     auto work = twin.make_work();
     twin.load(strain.data(), work);
     twin.stress({.pressure = loads.pressure.data(), .shear_x = loads.shear_x.data()}, strain.data(), work,
@@ -162,12 +179,17 @@ TEST(DevicePeriodicHalfSpace, WithDirectSumsIsThatOfTheEngine)
   }
 }
 
-TEST(DevicePeriodicHalfSpace, RefusesAnOpenGrid)
+TEST(DeviceHalfSpace, RefusesATractionThatWasNotPrepared)
 {
-  const VolumeGrid grid{{8, 8, 1.0, 1.0, Boundary::periodic, Boundary::open}, 4, 1.0};
+  const VolumeGrid grid = grid_of(Boundary::open, Boundary::open, 8, 8, 2, 1.0, 1.0, 1.0);
   const HostExecutor host;
-  EXPECT_THROW((PeriodicHalfSpace<HostExecutor>(grid, steel, host)), InternalError);
+  const HalfSpace<HostExecutor> twin(grid, steel, boundary_of(grid, steel, false), host);
+  auto work = twin.make_work();
+  const std::vector<double> shear(grid.surface.size());
+  std::vector<double> stress(Deviator::size * grid.size());
+  twin.load(nullptr, work);
+  EXPECT_THROW(twin.stress({.shear_x = shear.data()}, nullptr, work, stress.data()), InternalError);
 }
 
 } // namespace
-} // namespace brinell::device::periodic_half_space_test
+} // namespace brinell::device::half_space_test
