@@ -16,7 +16,7 @@ FLOORS = {
     "green": {"foundation"},
     "constitutive": {"foundation", "green"},
     "halfspace": {"foundation", "green"},
-    "device": {"foundation", "green", "constitutive", "halfspace"},
+    "device": {"foundation", "green", "constitutive", "halfspace", "contact"},
     "contact": {"foundation", "green", "halfspace"},
     "elastoplastic": {"foundation", "green", "constitutive", "halfspace", "contact"},
     "reference": {"foundation", "green"},

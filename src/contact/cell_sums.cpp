@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+/// The terms of cell_terms.hpp, written out: GCC 12 makes no lanes of loops that call them.
 namespace brinell::contact
 {
 
@@ -68,7 +69,7 @@ StepSums take_step(Piece piece, double step, const double* gap, const double* di
 #pragma omp simd reduction(+ : sum, cut)
   for (std::size_t i = piece.first; i < piece.last; ++i)
   {
-    const double moved = is_free(p[i], gap[i]) ? p[i] - step * direction[i] : 0.0;
+    const double moved = moved_pressure(p[i], gap[i], step, direction[i]);
     cut += moved < 0.0 ? 1.0 : 0.0;
     p[i] = std::max(0.0, moved);
     sum += p[i];

@@ -169,16 +169,9 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
                                  [&](std::size_t first, std::size_t last) {
                                    return slopes_of({first, last}, p, g, correction, d);
                                  });
-  // An imposed load must not change: the mean over the free cells is subtracted.
-  const double share = load_given && slopes.count > 0.0 ? 1.0 / slopes.count : 0.0;
-  const double new_slope = slopes.correction_descent - share * slopes.correction * slopes.gap;
-  const double before = slopes.before_descent - share * slopes.before * slopes.gap;
-  double beta = slope > 0.0 ? new_slope / slope : 0.0;
-  if (!(new_slope + beta * before > 0.0)) // the set of free cells has changed: restart
-    beta = 0.0;
-  const double mean = share * (slopes.correction + beta * slopes.before);
+  const auto [new_slope, along, beta, mean] = descent_of(slopes, slope, load_given);
   for_pieces(cells(),
-             [p, g, d, correction, beta, mean](std::size_t first, std::size_t last)
+             [p, g, d, correction, beta = beta, mean = mean](std::size_t first, std::size_t last)
              {
 #pragma omp simd
                for (std::size_t i = first; i < last; ++i)
@@ -187,7 +180,7 @@ double ElasticContact::descend(double& slope, bool load_given, std::span<const d
   displace(direction_, image_);
   const double curvature = brinell::dot(compliance_.grid(), direction_, image_);
   slope = new_slope;
-  return curvature > 0.0 ? (new_slope + beta * before) / curvature : 0.0;
+  return curvature > 0.0 ? along / curvature : 0.0;
 }
 
 /// Takes the step and updates the displacement by the image, which is exact only if no pressure is cut off at zero.

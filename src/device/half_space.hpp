@@ -93,7 +93,7 @@ public:
   {
     const std::size_t cells = grid_.surface.size();
     if (!work.has_strain)
-      return executor_->run("no displacement", cells, Scale{0.0, out});
+      return executor_->run("no displacement", cells, SetZero{out});
     executor_->run("displacement by plastic strain", waves_.size(),
                    DisplacementOfWave{{waves_, along, grid_.nz, grid_.dz, elastic_.poisson_ratio, table(along)},
                                       work.strain.data(),

@@ -260,6 +260,14 @@ struct FinishStress
   }
 };
 
+/// Sets values to zero, whatever they were: a product with zero would leave NaN.
+struct SetZero
+{
+  double* values;
+
+  BRINELL_HOST_DEVICE void operator()(std::size_t n) const { values[n] = 0.0; }
+};
+
 struct Scale
 {
   double factor;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/foundation/grid.hpp"
+#include "larger.hpp"
 
 #include <algorithm>
 #include <array>
@@ -106,12 +107,6 @@ template <typename Part>
   if (beside < cells)
     total += part(beside, cells);
   return total;
-}
-
-/// The larger of two values; NaN if either is NaN.
-[[nodiscard]] inline double larger(double a, double b)
-{
-  return b <= a || std::isnan(a) ? a : b;
 }
 
 /// Sums over the cells, the same for any number of threads.

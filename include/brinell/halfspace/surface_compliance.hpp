@@ -10,6 +10,7 @@
 #include <array>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace brinell::halfspace
 {
@@ -80,6 +81,18 @@ public:
   /// @param added  additional compliance of each cell to its own shear [m/Pa], >= 0
   void apply_inverse(const Pair<std::span<const double>>& displacement, const Pair<std::span<double>>& shear,
                      Scratch& scratch, double added = 0.0) const;
+  /// Real and even spectrum of the factors on waves, rows of px / 2 + 1 values up to the row py / 2.
+  struct Spectrum
+  {
+    int px, py; ///< lengths of the transforms
+    std::vector<double> factors;
+  };
+  /// Spectra of the displacement along z by a pressure [m/Pa], and of `apply_inverse` [Pa/m]: for devices.
+  struct NormalSpectra
+  {
+    Spectrum compliance, stiffness;
+  };
+  [[nodiscard]] NormalSpectra normal_spectra() const;
   /// Largest displacement along z by a wave of unit pressure [m/Pa].
   [[nodiscard]] double largest() const;
   /// Largest displacement along the surface by a wave of unit shear [m/Pa]: a bound of the norm of the operator from shear to

@@ -254,6 +254,15 @@ double SurfaceCompliance::along_over_across() const
   return 1.0 + operator_->constants().along / operator_->constants().normal;
 }
 
+SurfaceCompliance::NormalSpectra SurfaceCompliance::normal_spectra() const
+{
+  const Operator& op = *operator_;
+  const SurfaceGrid larger = with_fast_lengths(op.grid);
+  const PaddedLengths lengths = padded_lengths(op.grid);
+  Spectra of = spectra(op.grid, larger, op.modulus, op.stacks, op.reference);
+  return {{lengths.x, lengths.y, std::move(of.compliance)}, {larger.nx, larger.ny, std::move(of.stiffness)}};
+}
+
 double SurfaceCompliance::largest() const
 {
   return operator_->normal().largest;

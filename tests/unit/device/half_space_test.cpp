@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 /// The kernels of a device, run on the processor, against the half space of the engine: the mathematics is one text, the order of
@@ -141,7 +142,8 @@ TEST(DeviceHalfSpace, OfALoadAloneIsThatOfTheEngine)
     const Loads loads(grid.surface);
     const halfspace::HalfSpace engine(grid, steel);
     halfspace::HalfSpace::Work engine_work = engine.make_work();
-    std::vector<double> none(Deviator::size * grid.size()), there(none), stress(none), z(grid.surface.size(), 7.0);
+    std::vector<double> none(Deviator::size * grid.size()), there(none), stress(none),
+        z(grid.surface.size(), std::numeric_limits<double>::quiet_NaN());
     engine.load(none, grid.nz, engine_work).stress({.pressure = loads.pressure, .shear_y = loads.shear_y}, there);
     const HostExecutor host;
     const HalfSpace<HostExecutor> twin(grid, steel, boundary_of(grid, steel, true), host);
@@ -152,7 +154,7 @@ TEST(DeviceHalfSpace, OfALoadAloneIsThatOfTheEngine)
     twin.stress({}, nullptr, work, stress.data());
     EXPECT_EQ(largest(stress), 0.0);
     twin.displacement(Traction::pressure, work, z.data());
-    EXPECT_EQ(largest(z), 0.0);
+    EXPECT_EQ(z, std::vector<double>(z.size()));
   }
 }
 
