@@ -15,18 +15,21 @@ struct ReturnMappingOnDevice::Fields
   CudaExecutor executor;
   device::ReturnMapping<CudaExecutor> mapping;
   std::size_t cells;
-  DeviceMemory<double> start, trial, equivalent, strain, increment, dissipation;
+  DeviceMemory<double> start, trial, equivalent, strain, increment, dissipation, backstress;
 
-  Fields(const constitutive::HardeningLaw& law, constitutive::Integration integration, std::size_t count)
-      : mapping(law, integration, executor), cells(count), start(Deviator::size * count), trial(Deviator::size * count),
-        equivalent(count), strain(Deviator::size * count), increment(count), dissipation(count)
+  Fields(const constitutive::HardeningLaw& law, constitutive::Integration integration, std::size_t count,
+         std::span<const constitutive::KinematicTerm> terms)
+      : mapping(law, integration, executor, terms), cells(count), start(Deviator::size * count),
+        trial(Deviator::size * count), equivalent(count), strain(Deviator::size * count), increment(count),
+        dissipation(count), backstress(terms.size() * Deviator::size * count)
   {
   }
 };
 
 ReturnMappingOnDevice::ReturnMappingOnDevice(const constitutive::HardeningLaw& law,
-                                             constitutive::Integration integration, std::size_t cells)
-    : fields_(std::make_unique<Fields>(law, integration, cells))
+                                             constitutive::Integration integration, std::size_t cells,
+                                             std::span<const constitutive::KinematicTerm> terms)
+    : fields_(std::make_unique<Fields>(law, integration, cells, terms))
 {
 }
 ReturnMappingOnDevice::~ReturnMappingOnDevice() = default;
@@ -55,18 +58,21 @@ void ReturnMappingOnDevice::flow(const Before& before, double stiffness, const F
   write(before.start, on.start);
   write(before.trial, on.trial);
   write(before.equivalent, on.equivalent);
+  write(out.backstress, on.backstress);
   on.mapping.flow({.cells = on.cells,
                    .cells_of_layer = on.cells,
                    .stiffness = stiffness,
                    .start = on.start.data(),
                    .trial = on.trial.data(),
                    .equivalent = on.equivalent.data(),
+                   .backstress = on.backstress.data(),
                    .strain = on.strain.data(),
                    .increment = on.increment.data(),
                    .dissipation = on.dissipation.data()});
   read(on.strain, out.strain);
   read(on.increment, out.increment);
   read(on.dissipation, out.dissipation);
+  read(on.backstress, out.backstress);
 }
 
 } // namespace brinell::cuda

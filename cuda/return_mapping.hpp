@@ -17,9 +17,10 @@ class ReturnMappingOnDevice
 {
 public:
   /// Uses the device that `open_device` has selected for this thread.
-  /// @throws DeviceError, InputError for a UserHardening
-  ReturnMappingOnDevice(const constitutive::HardeningLaw& law, constitutive::Integration integration,
-                        std::size_t cells);
+  /// @param terms  of kinematic hardening
+  /// @throws DeviceError, InputError for a UserHardening and for many terms
+  ReturnMappingOnDevice(const constitutive::HardeningLaw& law, constitutive::Integration integration, std::size_t cells,
+                        std::span<const constitutive::KinematicTerm> terms = {});
   ~ReturnMappingOnDevice();
   ReturnMappingOnDevice(ReturnMappingOnDevice&&) noexcept;
   ReturnMappingOnDevice& operator=(ReturnMappingOnDevice&&) noexcept;
@@ -29,10 +30,11 @@ public:
   {
     std::span<const double> start, trial, equivalent;
   };
-  /// Plastic strain [component][cell] of the increment, its equivalent, and the plastic work.
+  /// Plastic strain [component][cell] of the increment, its equivalent, and the plastic work; back stresses [term][component][cell] before
+  /// and after the increment.
   struct Flow
   {
-    std::span<double> strain, increment, dissipation;
+    std::span<double> strain, increment, dissipation, backstress{};
   };
   /// @param stiffness  see constitutive::flow
   void flow(const Before& before, double stiffness, const Flow& out);

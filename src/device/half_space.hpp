@@ -43,9 +43,8 @@ public:
   }
 
   /// Buffers of one evaluation; make one per concurrent caller, once.
-  class Work
+  struct Work
   {
-    friend class HalfSpace;
     typename Executor::Transform of_volume, of_surface;
     Memory<ComplexNumber> strain, stress;          ///< spectra
     std::array<Memory<ComplexNumber>, 3> traction; ///< spectra

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <span>
 #include <vector>
 
 namespace brinell::cuda::return_mapping_test
@@ -37,24 +38,38 @@ TEST(CudaReturnMapping, IsThatOfTheProcessorForAllLaws)
     store(test::random_deviator(static_cast<unsigned>(cell + count), 0.3 * static_cast<double>(cell % 12)), trial,
           count, cell);
   }
+  const std::vector<KinematicTerm> two{{20.0, 50.0}, {3.0, 0.0}};
+  const std::size_t components = Deviator::size * count;
   for (const HardeningLaw& law : laws)
     for (const Integration integration : {Integration::path, Integration::backward_euler})
-    {
-      ReturnMappingOnDevice mapping(law, integration, count);
-      mapping.flow({start, trial, equivalent}, 2.0 * mu, {strain, increment, dissipation});
-      for (std::size_t cell = 0; cell < count; ++cell)
+      for (const std::vector<KinematicTerm>& terms : {std::vector<KinematicTerm>{}, two})
       {
-        const Deviator q = deviator_at(trial, count, cell);
-        const PlasticIncrement there = std::visit(
-            [&](const auto& l)
-            { return flow(l, {}, integration, deviator_at(start, count, cell), q, equivalent[cell], 2.0 * mu, {}); },
-            law);
-        const double size = std::max(1.0, von_mises(q));
-        EXPECT_LE(von_mises(deviator_at(strain, count, cell) - there.strain), tolerance * size / mu);
-        EXPECT_NEAR(increment[cell], there.equivalent, tolerance * size / mu);
-        EXPECT_NEAR(dissipation[cell], there.dissipation, tolerance * size * size / mu);
+        std::vector<double> backstress = test::random_field(terms.size() * components, 2, -0.1, 0.1);
+        const std::vector<double> back_before = backstress;
+        ReturnMappingOnDevice mapping(law, integration, count, terms);
+        mapping.flow({start, trial, equivalent}, 2.0 * mu, {strain, increment, dissipation, backstress});
+        for (std::size_t cell = 0; cell < count; ++cell)
+        {
+          std::vector<Deviator> back;
+          for (std::size_t term = 0; term < terms.size(); ++term)
+            back.push_back(deviator_at(std::span(back_before).subspan(term * components, components), count, cell));
+          const Deviator q = deviator_at(trial, count, cell);
+          const PlasticIncrement there = std::visit(
+              [&](const auto& l) {
+                return flow(l, terms, integration, deviator_at(start, count, cell), q, equivalent[cell], 2.0 * mu,
+                            back);
+              },
+              law);
+          const double size = std::max(1.0, von_mises(q));
+          EXPECT_LE(von_mises(deviator_at(strain, count, cell) - there.strain), tolerance * size / mu);
+          EXPECT_NEAR(increment[cell], there.equivalent, tolerance * size / mu);
+          EXPECT_NEAR(dissipation[cell], there.dissipation, tolerance * size * size / mu);
+          for (std::size_t term = 0; term < terms.size(); ++term)
+            EXPECT_LE(von_mises(deviator_at(std::span(backstress).subspan(term * components, components), count, cell) -
+                                back[term]),
+                      tolerance * size);
+        }
       }
-    }
 }
 
 } // namespace

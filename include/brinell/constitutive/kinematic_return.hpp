@@ -19,7 +19,7 @@ struct Recall
 {
   double decay, growth;
 
-  Recall(const KinematicTerm& term, double x)
+  BRINELL_HOST_DEVICE Recall(const KinematicTerm& term, double x)
       : decay(std::exp(-term.recall * x)),
         growth(term.recall * x > 0.0 ? -std::expm1(-term.recall * x) / (term.recall * x) : 1.0)
   {
@@ -29,7 +29,7 @@ struct Recall
 /// Root of a function that is positive at 0 and negative at `high`: regula falsi in which the value at an end that is retained
 /// twice is halved (Illinois method).
 template <typename Function>
-double bracketed_root(const Function& function, double at_zero, double high, double tolerance)
+BRINELL_HOST_DEVICE double bracketed_root(const Function& function, double at_zero, double high, double tolerance)
 {
   double low = 0.0;
   double f_low = at_zero;
@@ -70,9 +70,10 @@ double bracketed_root(const Function& function, double at_zero, double high, dou
 /// @param mu    shear modulus [Pa]
 /// @param back  the back stresses [Pa], one per term; in: before the increment, out: after it.
 template <typename Law>
-[[nodiscard]] PlasticIncrement kinematic_return(const Deviator& s0, const Deviator& q, double e, double mu,
-                                                const Law& law, double end, std::span<const KinematicTerm> terms,
-                                                std::span<Deviator> back)
+[[nodiscard]] BRINELL_HOST_DEVICE PlasticIncrement kinematic_return(const Deviator& s0, const Deviator& q, double e,
+                                                                    double mu, const Law& law, double end,
+                                                                    std::span<const KinematicTerm> terms,
+                                                                    std::span<Deviator> back)
 {
   Deviator centre;
   for (const Deviator& b : back)

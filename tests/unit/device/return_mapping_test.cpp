@@ -7,8 +7,10 @@
 #include "random_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,16 +58,21 @@ struct Cells
   }
 };
 
+/// Of two terms, one of which is linear.
+const std::vector<KinematicTerm> terms{{20.0, 50.0}, {3.0, 0.0}};
+
 struct Flow
 {
   std::vector<double> strain = std::vector<double>(Deviator::size * Cells::count),
                       increment = std::vector<double>(Cells::count), dissipation = increment;
+  std::vector<double> backstress = test::random_field(2 * Deviator::size * Cells::count, 11, -0.1, 0.1);
 };
 
-Flow of_device(const HardeningLaw& law, Integration integration, const Cells& cells, bool has_factors)
+Flow of_device(const HardeningLaw& law, Integration integration, const Cells& cells, bool has_factors,
+               std::span<const KinematicTerm> kinematic = {})
 {
   const HostExecutor host;
-  const ReturnMapping<HostExecutor> mapping(law, integration, host);
+  const ReturnMapping<HostExecutor> mapping(law, integration, host, kinematic);
   Flow flow;
   mapping.flow({.cells = Cells::count,
                 .cells_of_layer = Cells::of_layer,
@@ -75,6 +82,7 @@ Flow of_device(const HardeningLaw& law, Integration integration, const Cells& ce
                 .equivalent = cells.equivalent.data(),
                 .layer_factor = has_factors ? cells.layer_factor.data() : nullptr,
                 .softening = has_factors ? cells.softening.data() : nullptr,
+                .backstress = flow.backstress.data(),
                 .strain = flow.strain.data(),
                 .increment = flow.increment.data(),
                 .dissipation = flow.dissipation.data()});
@@ -153,6 +161,50 @@ TEST(DeviceReturnMapping, IsThatOfTheEngineForAllLaws)
             std::visit([&](const auto& l) { return of_engine(l, integration, cells, has_factors); }, law);
         expect_same(of_device(law, integration, cells, has_factors), engine, cells);
       }
+}
+
+TEST(DeviceReturnMapping, IsThatOfTheEngineWithBackStresses)
+{
+  const Cells cells;
+  for (const HardeningLaw& law : laws())
+    for (const Integration integration : {Integration::path, Integration::backward_euler})
+    {
+      const Flow here = of_device(law, integration, cells, false, terms);
+      Flow there;
+      const auto back_at = [&](std::vector<double>& of, std::size_t term)
+      { return std::span(of).subspan(term * Deviator::size * Cells::count, Deviator::size * Cells::count); };
+      for (std::size_t cell = 0; cell < Cells::count; ++cell)
+      {
+        std::array<Deviator, 2> back{deviator_at(back_at(there.backstress, 0), Cells::count, cell),
+                                     deviator_at(back_at(there.backstress, 1), Cells::count, cell)};
+        const PlasticIncrement result = std::visit(
+            [&](const auto& l)
+            {
+              return constitutive::flow(l, terms, integration, deviator_at(cells.start, Cells::count, cell),
+                                        deviator_at(cells.trial, Cells::count, cell), cells.equivalent[cell], stiffness,
+                                        back);
+            },
+            law);
+        store(result.strain, there.strain, Cells::count, cell);
+        there.increment[cell] = result.equivalent;
+        there.dissipation[cell] = result.dissipation;
+        for (std::size_t term = 0; term < 2; ++term)
+          store(back[term], back_at(there.backstress, term), Cells::count, cell);
+      }
+      expect_same(here, there, cells);
+      for (std::size_t n = 0; n < here.backstress.size(); ++n)
+      {
+        const double size = std::max(1.0, von_mises(deviator_at(cells.trial, Cells::count, n % Cells::count)));
+        EXPECT_NEAR(here.backstress[n], there.backstress[n], tolerance * size);
+      }
+    }
+}
+
+TEST(DeviceReturnMapping, RefusesManyBackStresses)
+{
+  const HostExecutor host;
+  const std::vector<KinematicTerm> many(5, {1.0, 1.0});
+  EXPECT_THROW((ReturnMapping<HostExecutor>(PerfectPlasticity{1.0}, Integration::path, host, many)), InputError);
 }
 
 TEST(DeviceReturnMapping, KeepsACopyOfATable)
