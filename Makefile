@@ -3,7 +3,7 @@
 #   make test    compile and run all tests: CTest, then pytest
 #   make run     install the package into .venv and compute the paper's tugging asperities: results/tugging-paper
 # Further: test-mpi, test-cuda, test-all, setup, format, check, tidy, tidy-changed, sanitize, sanitize-fast, sanitize-changed, docs, package, count,
-# digits, arm64, bench, clean. All of them may be repeated; what is done is not redone.
+# digits, arm64, bench, bench-cuda, clean. All of them may be repeated; what is done is not redone.
 
 SHELL := /bin/bash
 .DEFAULT_GOAL := build
@@ -22,7 +22,7 @@ python := .venv/bin/python
 brinell := .venv/bin/brinell
 results := results/tugging-paper
 
-.PHONY: build test test-mpi test-cuda test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench docs clean force
+.PHONY: build test test-mpi test-cuda test-all run setup format check tidy tidy-ready tidy-changed sanitize sanitize-fast sanitize-changed package arm64 count digits bench bench-cuda docs clean force
 
 # --- Set-up -----------------------------------------------------------------------------------------------------------
 setup: build/.setup-packages .venv/.setup-done .venv/.extras-done
@@ -73,7 +73,7 @@ test-mpi: .venv/.setup-done .venv/.extras-done build/release/build.ninja
 test-cuda: build/.setup-packages
 	@tools/setup.sh cuda
 	cmake --preset release -B build/cuda-release -D BRINELL_CUDA=ON -D BRINELL_BENCHMARKS=OFF -D BRINELL_WERROR=ON >/dev/null
-	flock build/cuda-release cmake --build build/cuda-release --parallel $(JOBS) --target brinell_cuda_tests
+	flock build/cuda-release cmake --build build/cuda-release --parallel $(JOBS) --target brinell_cuda_tests brinell_cuda_bench
 	ctest --test-dir build/cuda-release --label-regex '^cuda$$' --no-tests=error --output-on-failure
 
 # Whole what .ci/run does in parts: all cases of random sweeps, the sanitizers on all tests, clang-tidy on all sources.
@@ -173,6 +173,10 @@ bench: build
 	    --benchmark_context=commit=$$(git describe --always --dirty --abbrev=7) \
 	    --benchmark_context=threads=$$OMP_NUM_THREADS $(BENCH_ARGS); \
 	done
+
+# On a machine with a GPU.
+bench-cuda: test-cuda
+	build/cuda-release/bin/brinell_cuda_bench
 
 # --- Documentation: warnings are errors; the tutorials are run --------------------------------------------------------
 .venv/.docs-done: docs/requirements.txt .venv/.extras-done

@@ -32,3 +32,11 @@ target_include_directories(brinell_cuda PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_S
 target_compile_options(brinell_cuda PRIVATE --expt-relaxed-constexpr -Xcompiler=-Wall,-Wextra,-Wno-unknown-pragmas
   $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
 target_link_libraries(brinell_cuda PRIVATE CUDA::cudart_static CUDA::cufft)
+
+# For a machine with a GPU: make bench-cuda.
+add_executable(brinell_cuda_bench EXCLUDE_FROM_ALL bench/cuda/evaluations.cu)
+set_target_properties(brinell_cuda_bench PROPERTIES CUDA_STANDARD 20 CUDA_STANDARD_REQUIRED ON CUDA_EXTENSIONS OFF UNITY_BUILD OFF)
+target_include_directories(brinell_cuda_bench PRIVATE src)
+target_compile_options(brinell_cuda_bench PRIVATE --expt-relaxed-constexpr -Xcompiler=-Wall,-Wextra,-Wno-unknown-pragmas
+  $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
+target_link_libraries(brinell_cuda_bench PRIVATE brinell_cuda CUDA::cudart_static CUDA::cufft)
