@@ -69,6 +69,7 @@ public:
   [[nodiscard]] std::array<double, powers> polynomial(const Response& response, int component, int layer) const;
 
 private:
+  void sum_depths(const Response& response, int component, int layer, std::array<double, powers>& of_depth) const;
   void fit(const ElasticStack& stack, images::Source source, double period_x, double period_y);
   void find_moments(int layers, Response& response) const;
   /// Powers of y in the moments of a field.

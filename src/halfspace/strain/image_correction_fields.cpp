@@ -123,15 +123,22 @@ void ImageCorrection::subtract(const Response& response, int component, int laye
   }
 }
 
-std::array<double, ImageCorrection::powers> ImageCorrection::polynomial(const Response& response, int component,
-                                                                        int layer) const
+/// Adds the polynomials of all functions of depth. Inlined, so that the compiler knows the sum to be nobody else's.
+[[gnu::always_inline]] inline void ImageCorrection::sum_depths(const Response& response, int component, int layer,
+                                                               std::array<double, powers>& of_depth) const
 {
-  std::array<double, powers> of_depth{};
   for (int q = 0; q < depth_.count; ++q)
     for (int p = 0; p < powers; ++p)
       of_depth[static_cast<std::size_t>(p)] +=
           depth_.means(layer, q) *
           response.stress[static_cast<std::size_t>((component * depth_.count + q) * powers + p)];
+}
+
+std::array<double, ImageCorrection::powers> ImageCorrection::polynomial(const Response& response, int component,
+                                                                        int layer) const
+{
+  std::array<double, powers> of_depth{};
+  sum_depths(response, component, layer, of_depth);
   return of_depth;
 }
 
@@ -150,7 +157,8 @@ void ImageCorrection::subtract_powers(const Response& response, int component, i
     subtract_product({x_, s.nx, CrosswiseImages::powers},
                      {crosswise_->stress(response.crosswise, component, layer), rows, CrosswiseImages::powers}, stress);
   }
-  const std::array<double, powers> of_depth = polynomial(response, component, layer);
+  std::array<double, powers> of_depth{};
+  sum_depths(response, component, layer, of_depth);
   for (int first = 0; first < s.nx; first += lane_count)
   {
     const auto used = static_cast<std::size_t>(std::min(lane_count, s.nx - first));
