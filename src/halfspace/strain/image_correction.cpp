@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_correction.hpp"
 
+#include "halfspace/traction/stack_scales.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +18,6 @@ using images::strains;
 using images::stresses;
 
 constexpr int enlargement = 2; ///< ratio of the periods of successive lattices
-constexpr int enlargements = 3;
 
 /// Range of powers of one coordinate; only those with the parity of the first one are used.
 struct PowerRange
@@ -86,16 +87,26 @@ void add_waves(const Period& x, const Period& y, double factor, double largest_x
   }
 }
 
+/// Number of enlargements of a lattice: three, and more if a layered body responds like its substrate only over longer distances.
+int enlargements(const ElasticStack& stack, double period)
+{
+  constexpr int least = 3;
+  return stack.is_homogeneous() ? least
+                                : least + std::max(0, static_cast<int>(std::ceil(std::log2(reach(stack) / period))));
+}
+
 /// The waves whose sum is the stress of the images: differences of successive lattices, and the extrapolation from the last to an
 /// infinite lattice.
-std::vector<images::WaveRow> waves_of_images(Period x, Period y, double largest_x, double largest_y)
+std::vector<images::WaveRow> waves_of_images(const ElasticStack& stack, Period x, Period y, double largest_x,
+                                             double largest_y)
 {
+  const int levels = enlargements(stack, !x.is_open ? y.length : !y.is_open ? x.length : std::min(x.length, y.length));
   std::vector<images::WaveRow> rows;
-  for (int level = 1; level <= enlargements; ++level)
+  for (int level = 1; level <= levels; ++level)
   {
     const double fewer =
         enlargement * x.enlarged() * y.enlarged(); // images of points decay as 1/r^3, of lines as 1/r^2
-    add_waves(x, y, level == enlargements ? fewer / (fewer - 1.0) : 1.0, largest_x, largest_y, rows);
+    add_waves(x, y, level == levels ? fewer / (fewer - 1.0) : 1.0, largest_x, largest_y, rows);
     x.length *= x.enlarged();
     y.length *= y.enlarged();
   }
@@ -139,7 +150,7 @@ void ImageCorrection::fit(const ElasticStack& stack, images::Source source, doub
   const double largest_x = std::max(1, s.nx - 1) * s.dx;
   const double largest_y = std::max(1, s.ny - 1) * s.dy;
   const std::vector<images::WaveRow> waves =
-      waves_of_images({period_x, !s.is_periodic_x()}, {period_y, !s.is_periodic_y()}, largest_x, largest_y);
+      waves_of_images(stack, {period_x, !s.is_periodic_x()}, {period_y, !s.is_periodic_y()}, largest_x, largest_y);
   const std::vector<double> samples = images::sampled(waves, depth_.nodes, stack, source);
   for (int c = 0; c < stresses; ++c)
     for (int e = 0; e < images::components_of(source); ++e)

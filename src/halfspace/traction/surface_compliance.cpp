@@ -9,7 +9,6 @@
 #include "halfspace/transform/require_surface.hpp"
 #include "halfspace/transform/wave_product.hpp"
 #include "shear_stiffness.hpp"
-#include "stack_cells.hpp"
 #include "stack_shears.hpp"
 #include "tractions.hpp"
 
@@ -97,9 +96,9 @@ Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modul
   Quadrant<double> response = cell_displacement(larger, reference);
   for (const LayeredBody& body : stacks)
   {
-    const Quadrant<double> excess = excess_displacement(larger, body.stack, reference);
+    const Quadrant<SurfaceExcess> excess = excess_surface(larger, body.stack, reference);
     for (std::size_t n = 0; n < response.values.size(); ++n)
-      response.values[n] += std::numbers::pi * modulus * excess.values[n];
+      response.values[n] += std::numbers::pi * modulus * excess.values[n][excess::zz];
   }
   const auto displacement = [&](int i, int j) { return response.at(i, j) / (std::numbers::pi * modulus); };
   return {spectrum_of(grid, KernelPlaces::padded(grid), displacement),

@@ -26,12 +26,6 @@ std::array<double, size> scaled(double factor, std::array<double, size> value)
   return value;
 }
 
-BuriedTerms scaled(double factor, const BuriedTerms& t)
-{
-  return {scaled(factor, t.level), scaled(factor, t.xx), scaled(factor, t.yy),
-          scaled(factor, t.xy),    scaled(factor, t.x),  scaled(factor, t.y)};
-}
-
 void add(double value, double& sum)
 {
   sum += value;
@@ -42,16 +36,6 @@ void add(const std::array<double, size>& value, std::array<double, size>& sum)
 {
   for (std::size_t c = 0; c < sum.size(); ++c)
     sum[c] += value[c];
-}
-
-void add(const BuriedTerms& value, BuriedTerms& sum)
-{
-  add(value.level, sum.level);
-  add(value.xx, sum.xx);
-  add(value.yy, sum.yy);
-  add(value.xy, sum.xy);
-  add(value.x, sum.x);
-  add(value.y, sum.y);
 }
 
 /// The copies of a cell along a periodic axis, from one period to the next.
@@ -172,11 +156,6 @@ double xy_exchanged(double value)
   return value;
 }
 
-BuriedTerms xy_exchanged(const BuriedTerms& t)
-{
-  return {t.level, t.yy, t.xx, t.xy, t.y, t.x};
-}
-
 /// @param kernel  antiderivatives `corner` of the rectangle at (X, Y) and `edge` of the strip at X, and `xy_exchanged`
 template <typename Value, typename Kernel>
 Quadrant<Value> response(const SurfaceGrid& grid, const Kernel& kernel)
@@ -224,44 +203,6 @@ struct BuriedKernel
   [[nodiscard]] BuriedKernel xy_exchanged() const { return *this; }
 };
 
-/// atan of X Y (R - H) / (X^2 R + Y^2 H): the angle by which the terms of a buried cell differ from those on the surface.
-double buried_angle(double X, double Y, double R, double depth)
-{
-  return X == 0.0 || Y == 0.0 ? 0.0 : std::atan(X * Y * (R - depth) / (X * X * R + Y * Y * depth));
-}
-
-/// Antiderivatives of BuriedTerms.
-struct BuriedTermsKernel
-{
-  double depth, reference;
-  [[nodiscard]] BuriedTerms corner(double X, double Y) const
-  {
-    const double H = depth, R = std::hypot(X, Y, H), logarithm = std::log(R + H);
-    const double along = std::asinh(Y / std::hypot(X, H)), across = std::asinh(X / std::hypot(Y, H));
-    const double angle_x = buried_angle(X, Y, R, H), angle_y = buried_angle(Y, X, R, H);
-    const double x2 = R * (X * X + H * H), y2 = R * (Y * Y + H * H);
-    BuriedTerms t;
-    t.level = {X * along + Y * across - H * std::atan(X * Y / (H * R)), std::atan(X * Y / (H * R))};
-    t.xx = {X * along - H * angle_x, angle_x, X * Y / x2};
-    t.yy = {Y * across - H * angle_y, angle_y, X * Y / y2};
-    t.xy = {R - H * logarithm, logarithm, -1.0 / R};
-    t.x = {-(Y * logarithm + H * along + X * angle_x), along, H * Y / x2};
-    t.y = {-(X * logarithm + H * across + Y * angle_y), across, H * X / y2};
-    return t;
-  }
-  [[nodiscard]] BuriedTerms edge(double X) const
-  {
-    const double H = depth, rho2 = X * X + H * H, angle = std::atan(X / H);
-    const double logarithm = std::log(rho2) - 2.0 * std::log(reference);
-    BuriedTerms t;
-    t.level = {2.0 * (X - H * angle) - X * logarithm, 2.0 * angle};
-    t.xx = {t.level[0], t.level[1], 2.0 * X / rho2};
-    t.x = {H * std::log(rho2) - 2.0 * X * angle, -std::log(rho2), 2.0 * H / rho2};
-    return t;
-  }
-  [[nodiscard]] BuriedTermsKernel xy_exchanged() const { return *this; }
-};
-
 struct SurfaceTermsKernel
 {
   double reference;
@@ -292,11 +233,6 @@ Quadrant<double> cell_displacement(const SurfaceGrid& grid, double reference)
 Quadrant<std::array<double, 2>> buried_cell(const SurfaceGrid& grid, double depth, double reference)
 {
   return response<std::array<double, 2>>(grid, BuriedKernel{depth, reference});
-}
-
-Quadrant<BuriedTerms> buried_terms(const SurfaceGrid& grid, double depth, double reference)
-{
-  return response<BuriedTerms>(grid, BuriedTermsKernel{depth, reference});
 }
 
 Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference)

@@ -62,19 +62,6 @@ struct Quadrant
 /// @param reference  as for `cell_displacement`
 [[nodiscard]] Quadrant<std::array<double, 2>> buried_cell(const SurfaceGrid& grid, double depth, double reference);
 
-/// Fields of waves e^{-k depth} times powers of k and components of the direction (lx, ly) of the wavevector, each times 2 pi, over
-/// the cell. The first value of each is that of e^{-k depth} / k, the next one that of e^{-k depth}, the last one that of
-/// k e^{-k depth}. With R the distance from a point at that depth, they are derivatives of 1/R, ln(R + depth) and
-/// depth ln(R + depth) - R (Cerruti).
-struct BuriedTerms
-{
-  std::array<double, 2> level{};                    ///< without a component of the direction
-  std::array<double, 3> xx{}, yy{}, xy{}, x{}, y{}; ///< of lx^2, ly^2, lx ly, i lx, i ly
-};
-/// @param depth      > 0
-/// @param reference  as for `cell_displacement`
-[[nodiscard]] Quadrant<BuriedTerms> buried_terms(const SurfaceGrid& grid, double depth, double reference);
-
 /// Surface displacement by a unit traction on the cell, as `green::SurfaceTerms`.
 /// @param reference  as for `cell_displacement`, for the displacements in all directions
 [[nodiscard]] Quadrant<green::SurfaceTerms> cell_surface_terms(const SurfaceGrid& grid, double reference);

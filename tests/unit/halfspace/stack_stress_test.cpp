@@ -212,6 +212,37 @@ TEST(StackStress, DisplacementIsTheAdjointOfTheStressOfALoad)
     }
 }
 
+TEST(StackStress, ImagesOfHardAndSoftCoatingsAreNotFelt)
+{
+  // A hard coating carries shear over its thickness times the ratio of the moduli, here up to 200 cells: far beyond the images.
+  for (const double contrast : {0.01, 100.0})
+    for (const double thickness : {0.5, 2.0})
+      for (const Boundary along_y : {open, periodic})
+      {
+        const ElasticStack stack{{{thickness, {contrast, 0.25}}}, {1.0, 0.35}};
+        const VolumeGrid small{{12, 10, 0.5, 0.5, open, along_y}, 4, 0.5};
+        VolumeGrid wide = small;
+        wide.surface.nx = 48;
+        wide.surface.ny = along_y == open ? 40 : 10;
+        const HalfSpace on_small(small, stack), on_wide(wide, stack);
+        for (int component = 0; component < Deviator::size; ++component)
+        {
+          const auto blob = [&](const VolumeGrid& g) // which ends within the small grid
+          {
+            return test::sampled_strain(g, test::unit_deviator(component),
+                                        [](double x, double y, double z)
+                                        {
+                                          const double dx = x - 5.5 * 0.5, dy = y - 4.5 * 0.5;
+                                          return std::exp(-(dx * dx + dy * dy) / 0.45 - z);
+                                        });
+          };
+          const StressField a(on_small, {}, blob(small)), b(on_wide, {}, blob(wide));
+          EXPECT_LT(test::largest_difference(small, a, wide, b, 0), 1e-3 * largest(b.deviator))
+              << contrast << ' ' << thickness << ' ' << component;
+        }
+      }
+}
+
 TEST(StackStress, ImagesAreNotFelt)
 {
   // A strain that the cells resolve, on a grid and on one that is twice as wide: within 1e-3 of 2 mu max|eps|.
