@@ -32,7 +32,7 @@ int layers_at_a_time(const SurfaceGrid& grid, int ranks, int threads)
   return (own + together - 1) / together * together * ranks;
 }
 
-MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int ranks)
+MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int ranks, int materials)
 {
   // As in BlockedFft: blocks of wavenumbers along x, and rows along y with or without their padding. Rows of the strain share the
   // memory of the stress.
@@ -46,6 +46,9 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int r
   const double deviators = 5.0 * grid.nz; // planes
   const double kernels = 6.0 * grid.nz * along_y;
 
+  // Numbers of StackStress: directions and decays, those at the surface, and the interfaces.
+  const double of_layers = materials > 1 ? (16.0 + 5.0 + 22.0 * materials) * along_y : 0.0;
+
   // The memory of ImageCorrection is almost independent of the grid.
   constexpr double images = 2.5e6;
   const double strained_blocks = std::max(2, blocks_at_a_time(static_cast<int>(blocks), omp_get_max_threads()));
@@ -54,7 +57,8 @@ MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int r
   const double passed =
       ranks > 1 ? rows * (Share(0, ranks).count(together) * of_all + together * blocks) : 0.0; // Exchange
   const double surface = tractions * blocks * (rows + pitch) + 1.5 * grid.nz * pitch;
-  return {.operators = tractions * kernels * blocks * sizeof(Lanes) + images + passed * sizeof(ComplexLanes),
+  return {.operators =
+              (tractions * kernels + of_layers) * blocks * sizeof(Lanes) + images + passed * sizeof(ComplexLanes),
           .work = (strain_and_stress + surface) * sizeof(ComplexLanes),
           .trace = grid.nz * blocks * pitch * sizeof(ComplexLanes)};
 }

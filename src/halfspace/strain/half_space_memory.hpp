@@ -26,6 +26,8 @@ struct MemoryOfHalfSpace
 /// For as many threads as OpenMP may use, and at least two, so that a prediction does not differ between one and two threads.
 /// @param shears  number of components of the shear on the surface, 0 to 2
 /// @param ranks   that share it: memory of the first of them, which needs most
-[[nodiscard]] MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int ranks = 1);
+/// @param materials  of the layers of cells
+[[nodiscard]] MemoryOfHalfSpace memory_of_half_space(const VolumeGrid& grid, int shears, int ranks = 1,
+                                                     int materials = 1);
 
 } // namespace brinell::halfspace

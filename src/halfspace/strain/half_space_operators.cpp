@@ -44,7 +44,7 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
   if (stack.is_homogeneous())
     eigenstrain_stress.emplace(volume, stack.substrate, surface_fft, shortest);
   else if (is_aligned(volume, stack))
-    stack_stress.emplace(volume, stack, surface_fft, shortest);
+    stack_stress.emplace(volume, stack, surface_fft, shortest, blocks);
   if (share.is_all())
     return;
   const auto threads = static_cast<int>(ranks->largest(omp_get_max_threads()));

@@ -21,8 +21,9 @@ void StackStress::Matrix::set(std::size_t lane, const green::StackWave::Matrix& 
   ww[lane] = across * matrix.ww;
 }
 
-StackStress::StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, double shortest)
-    : grid_(grid), fft_(fft), parts_(stack_parts(grid, stack)),
+StackStress::StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, double shortest,
+                         const Portion& blocks)
+    : grid_(grid), fft_(fft), blocks_(blocks), parts_(stack_parts(grid, stack)),
       spectra_bytes_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(fft.py()) *
                      static_cast<std::size_t>(Deviator::size * grid.nz) * sizeof(ComplexLanes))
 {
@@ -30,11 +31,11 @@ StackStress::StackStress(const VolumeGrid& grid, const ElasticStack& stack, cons
     stiffness_.push_back({part.elastic.shear_modulus() / (2.0 * (1.0 - part.elastic.poisson_ratio)),
                           part.elastic.shear_modulus(), part.elastic.poisson_ratio});
   const int rows = fft.py() / 2 + 1;
-  factors_.resize(static_cast<std::size_t>(fft.blocks() * rows));
+  factors_.resize(static_cast<std::size_t>(blocks.count() * rows));
   surface_.resize(factors_.size());
   couplings_.resize(factors_.size() * parts_.size());
 #pragma omp parallel for schedule(static)
-  for (int block = 0; block < fft.blocks(); ++block)
+  for (int block = blocks.first; block < blocks.end; ++block)
     for (int i = lane_count * block; i < std::min(fft.kx(), lane_count * (block + 1)); ++i)
       for (int row = 0; row < rows; ++row)
         set(i, row, stack, shortest);

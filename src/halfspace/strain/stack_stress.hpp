@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/share.hpp"
 #include "brinell/green/stack.hpp"
 #include "eigenstrain_stress.hpp"
 #include "stack_parts.hpp"
@@ -23,7 +24,9 @@ class StackStress
 public:
   /// @param grid      whose layers of cells end at the interfaces (`require_aligned`)
   /// @param fft, shortest  see EigenstrainStress
-  StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, double shortest = 0.0);
+  /// @param blocks         of wavenumbers that will be asked for
+  StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, double shortest,
+              const Portion& blocks);
   StackStress(const StackStress&) = delete;
   StackStress& operator=(const StackStress&) = delete;
 
@@ -38,6 +41,12 @@ public:
     AlignedVector<Ends> ends;                 ///< [material][row]
   };
   [[nodiscard]] Scratch make_scratch() const;
+  /// Memory of the numbers of all wavenumbers [bytes].
+  [[nodiscard]] double bytes() const
+  {
+    return static_cast<double>(factors_.size() * sizeof(Factors) + surface_.size() * sizeof(Matrix) +
+                               couplings_.size() * sizeof(Coupling));
+  }
 
   /// As EigenstrainStress::apply.
   void apply(int block, const SpectrumRows& rows, const EigenstrainStress::Spectra& spectra, Scratch& scratch) const;
@@ -75,17 +84,18 @@ private:
   [[nodiscard]] Factors scaled(const Factors& unit, std::size_t part) const;
   [[nodiscard]] std::size_t wave_at(int block, int row) const
   {
-    return static_cast<std::size_t>(block * (fft_.py() / 2 + 1) + row);
+    return static_cast<std::size_t>((block - blocks_.first) * (fft_.py() / 2 + 1) + row);
   }
 
   VolumeGrid grid_;
   const BlockedFft& fft_;
+  Portion blocks_;
   std::vector<StackPart> parts_;
   std::vector<Stiffness> stiffness_;  ///< of the materials [Pa]
   std::size_t spectra_bytes_;         ///< of the stress at all wavenumbers
-  AlignedVector<Factors> factors_;    ///< [block][row] of a body of unit stiffness, only rows with ky >= 0
-  AlignedVector<Matrix> surface_;     ///< [block][row]
-  AlignedVector<Coupling> couplings_; ///< [block][row][material]
+  AlignedVector<Factors> factors_;    ///< [own block][row] of a body of unit stiffness, only rows with ky >= 0
+  AlignedVector<Matrix> surface_;     ///< [own block][row]
+  AlignedVector<Coupling> couplings_; ///< [own block][row][material]
 };
 
 } // namespace brinell::halfspace

@@ -89,39 +89,58 @@ RadialFields::RadialFields(const SurfaceGrid& grid, const WaveScales& scales, Wa
     rules_.emplace_back(order);
 }
 
-/// Integral of the parts times k J(k r) / 2 pi at the nodes of an interval of distances, and its polynomials.
-void RadialFields::tabulate(const Interval& interval, std::size_t number, const std::vector<Table>& waves)
+namespace
 {
-  const WaveNodes quadrature(scales_, interval.high);
-  const std::size_t fields = waves.size(), count = quadrature.k.size();
-  std::vector<WaveParts> amplitudes(count * fields);
+
+/// Waves times k / 2 pi and the weights of a part of a quadrature, [wave][field].
+std::vector<WaveParts> weighted(const WaveNodes& quadrature, std::size_t first, std::size_t count,
+                                const WaveScales& scales, const std::vector<RadialFields::Table>& waves)
+{
+  std::vector<WaveParts> amplitudes(count * waves.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t n = 0; n < count; ++n)
   {
-    const double factor = quadrature.weight[n] * (scales_.is_over_k ? 1.0 : quadrature.k[n]) / (2.0 * pi);
-    for (std::size_t f = 0; f < fields; ++f)
+    const double k = quadrature.k[first + n];
+    const double factor = quadrature.weight[first + n] * (scales.is_over_k ? 1.0 : k) / (2.0 * pi);
+    for (std::size_t f = 0; f < waves.size(); ++f)
     {
-      amplitudes[n * fields + f] = waves[f].at(quadrature.k[n]);
-      for (double& value : amplitudes[n * fields + f])
+      WaveParts& amplitude = amplitudes[n * waves.size() + f] = waves[f].at(k);
+      for (double& value : amplitude)
         value *= factor;
     }
   }
+  return amplitudes;
+}
+
+} // namespace
+
+/// Integral of the parts times k J(k r) / 2 pi at the nodes of an interval of distances, and its polynomials.
+void RadialFields::tabulate(const Interval& interval, std::size_t number, const std::vector<Table>& waves)
+{
+  constexpr std::size_t at_a_time = 1024; // waves, so that they need little memory
+  const WaveNodes quadrature(scales_, interval.high);
+  const std::size_t fields = waves.size();
   std::vector<WaveParts> values(nodes * fields);
-#pragma omp parallel for schedule(static)
-  for (std::size_t node = 0; node < nodes; ++node)
+  for (std::size_t first = 0; first < quadrature.k.size(); first += at_a_time)
   {
-    const double r = interval.low + 0.5 * (interval.high - interval.low) * (1.0 + cosine(node, 1, nodes));
-    WaveParts* const sums = values.data() + node * fields;
-    for (std::size_t n = 0; n < count; ++n)
+    const std::size_t count = std::min(at_a_time, quadrature.k.size() - first);
+    const std::vector<WaveParts> amplitudes = weighted(quadrature, first, count, scales_, waves);
+#pragma omp parallel for schedule(static)
+    for (std::size_t node = 0; node < nodes; ++node)
     {
-      const std::array<double, 4> J = bessel(quadrature.k[n] * r);
-      WaveParts of_order;
-      for (std::size_t p = 0; p < part_count; ++p)
-        of_order[p] = phase(orders_[p]) * J[static_cast<std::size_t>(orders_[p])];
-      const WaveParts* const amplitude = amplitudes.data() + n * fields;
-      for (std::size_t f = 0; f < fields; ++f)
+      const double r = interval.low + 0.5 * (interval.high - interval.low) * (1.0 + cosine(node, 1, nodes));
+      WaveParts* const sums = values.data() + node * fields;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        const std::array<double, 4> J = bessel(quadrature.k[first + n] * r);
+        WaveParts of_order;
         for (std::size_t p = 0; p < part_count; ++p)
-          sums[f][p] += of_order[p] * amplitude[f][p];
+          of_order[p] = phase(orders_[p]) * J[static_cast<std::size_t>(orders_[p])];
+        const WaveParts* const amplitude = amplitudes.data() + n * fields;
+        for (std::size_t f = 0; f < fields; ++f)
+          for (std::size_t p = 0; p < part_count; ++p)
+            sums[f][p] += of_order[p] * amplitude[f][p];
+      }
     }
   }
   for (std::size_t f = 0; f < fields; ++f)

@@ -8,6 +8,7 @@
 #include "foundation/lanes.hpp"
 #include "halfspace/heat/images_of_heat.hpp"
 #include "halfspace/strain/half_space_memory.hpp"
+#include "halfspace/strain/stack_parts.hpp"
 #include "heat.hpp"
 
 #include <algorithm>
@@ -37,10 +38,18 @@ double fields_of_state(const constitutive::Material& material)
   return 5.0 + 1.0 + 5.0 + 5.0 + 5.0 * static_cast<double>(material.kinematic.size());
 }
 
+/// Materials of the layers of cells of a body.
+int materials_of(const VolumeGrid& grid, const constitutive::Material& material)
+{
+  return static_cast<int>(halfspace::stack_parts(grid, material.stack().merged()).size());
+}
+
 /// Kernels and transforms of a body, which bodies of the same cells and elastic constants share.
 double operator_bytes(const VolumeGrid& grid, const constitutive::Material& material, int shears, int ranks)
 {
-  return material.elastic.is_rigid() ? 0.0 : halfspace::memory_of_half_space(grid, shears, ranks).operators;
+  return material.elastic.is_rigid()
+             ? 0.0
+             : halfspace::memory_of_half_space(grid, shears, ranks, materials_of(grid, material)).operators;
 }
 
 /// A body that is solved, between increments.
@@ -80,7 +89,8 @@ double window_bytes(const Plan& plan, const VolumeGrid& grid, const constitutive
   VolumeGrid part = grid;
   part.surface.nx = elastoplastic::length_of_window(*window, grid.surface.nx);
   constexpr double fields = 15.0;
-  return halfspace::memory_of_half_space(part, shears, ranks).operators + field_bytes(own_layers(part, ranks), fields);
+  return halfspace::memory_of_half_space(part, shears, ranks, materials_of(part, material)).operators +
+         field_bytes(own_layers(part, ranks), fields);
 }
 
 /// Share of the cells near yield, an estimate from measured runs: a plastic zone fills a smaller share of a volume than of a plane
@@ -207,7 +217,7 @@ MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, 
                          int ranks)
 {
   const bool has_twin = plan.twin != elastoplastic::Twin::none; // then the upper body is a view of the lower one
-  const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.elastic == upper.elastic);
+  const bool shares_operators = has_twin || (plan.lower == plan.upper && lower.stack() == upper.stack());
   const bool is_line = is_plane(plan.contact) && (lower.is_plastic() || upper.is_plastic());
   MemoryParts parts{.growth = is_line && !plan.is_textured ? growth_of_line(plan.peak_over_yield) : 1.0,
                     .contact = contact_bytes(plan.contact, shears)};

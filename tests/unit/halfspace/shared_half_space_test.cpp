@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr Elastic steel{.young_modulus = 210e9, .poisson_ratio = 0.3};
+const ElasticStack coated{{{1.4e-6, {400e9, 0.2}}, {0.7e-6, {70e9, 0.35}}}, steel};
 
 /// What is computed for a strain and a load.
 struct Result
@@ -106,9 +107,9 @@ Result result_of(const Given& g, const HalfSpace& body)
   return r;
 }
 
-void expect_alike(const Given& g, int ranks)
+void expect_alike(const Given& g, int ranks, const ElasticStack& stack = {{}, steel})
 {
-  const HalfSpace alone(g.grid, steel);
+  const HalfSpace alone(g.grid, stack);
   const Result whole = result_of(g, alone);
   VolumeGrid computed_grid = g.grid;
   computed_grid.surface.ny = g.grid.surface.independent_rows();
@@ -118,7 +119,7 @@ void expect_alike(const Given& g, int ranks)
                             [&](const std::shared_ptr<const Communicator>& rank)
                             {
                               omp_set_num_threads(rank->rank() == 1 ? 2 : 1);
-                              const HalfSpace shared(g.grid, steel, rank);
+                              const HalfSpace shared(g.grid, stack, rank);
                               const Share& share = shared.share();
                               const Result own = result_of(g, shared);
                               EXPECT_EQ(own.displacement, whole.displacement);
@@ -161,6 +162,15 @@ TEST(SharedHalfSpace, MirroredHasTheDigitsOfOneThatIsNotShared)
   odd.ny = 21;
   expect_alike(given(odd, 10, 9, 5), 2);
   expect_alike(given(with(open, Boundary::periodic, Boundary::periodic, true), 7, 7, 6), 2);
+}
+
+/// A rank tabulates the interfaces for its own blocks of wavenumbers alone.
+TEST(SharedHalfSpace, LayersHaveTheDigitsOfABodyThatIsNotShared)
+{
+  expect_alike(given(open, 9, 6, 7), 3, coated);
+  expect_alike(given(with(open, Boundary::periodic, Boundary::periodic), 7, 7, 6), 2, coated);
+  expect_alike(given(with(open, Boundary::open, Boundary::periodic), 5, 4, 5), 2, coated);
+  expect_alike(given(with(open, Boundary::open, Boundary::open, true), 9, 7, 8), 3, coated);
 }
 
 /// A long grid also has images beside it, in waves.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plastic strain in layered bodies -> residual stress and displacement of the surface.
+#include "halfspace/strain/half_space_memory.hpp"
 #include "halfspace/strain/stack_stress.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/symmetry.hpp"
 #include "brinell/green/stack_strain.hpp"
 #include "brinell/halfspace/half_space.hpp"
+#include "foundation/fft.hpp"
 #include "gauss.hpp"
 #include "mirrored_grid.hpp"
 #include "random_field.hpp"
@@ -287,6 +289,21 @@ TEST(StackStress, MirrorImagesAreComputedOnOneSide)
   const StressField a(whole, {}, strain), b(half, {}, strain);
   EXPECT_LT(largest_difference(a.deviator, b.deviator), 1e-12 * largest(a.deviator));
   EXPECT_LT(largest_difference(a.trace, b.trace), 1e-12 * largest(a.trace));
+}
+
+TEST(StackStress, MemoryIsForetoldAlsoOnRanks)
+{
+  const VolumeGrid grid{{40, 30, 0.5, 0.6}, 6, 0.5};
+  const PaddedLengths padded = padded_lengths(grid.surface);
+  const BlockedFft fft(grid.surface, padded.x, padded.y, 1);
+  for (const int ranks : {1, 3})
+  {
+    const StackStress first(grid, three_layers, fft, 0.0, {0, ranks, fft.blocks()});
+    // Three layers and the substrate; a homogeneous body has the kernels of the loads in addition, as all bodies have.
+    const double more =
+        memory_of_half_space(grid, 0, ranks, 4).operators - memory_of_half_space(grid, 0, ranks).operators;
+    EXPECT_DOUBLE_EQ(more, first.bytes()) << ranks;
+  }
 }
 
 TEST(StackStress, LayersWithoutStrainMayBeLeftOut)
