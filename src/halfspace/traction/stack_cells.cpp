@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace brinell::halfspace
 {
@@ -42,39 +41,37 @@ std::vector<WaveLoad> loads_of(Traction traction)
                                         : std::vector{WaveLoad::along, WaveLoad::across};
 }
 
-/// Mean over a range of depths, which may contain interfaces.
-LoadParts mean_parts(const ElasticStack& stack, const green::StackWave& wave,
-                     const std::vector<green::StackWave::Field>& fields, Traction traction, double from, double to)
-{
-  LoadParts sum{};
-  const std::vector<WaveLoad> loads = loads_of(traction);
-  double top = 0.0;
-  for (std::size_t layer = 0; layer <= stack.layers.size(); ++layer)
-  {
-    const double bottom =
-        layer < stack.layers.size() ? top + stack.layers[layer].thickness : std::numeric_limits<double>::infinity();
-    const double begin = std::max(from, top), end = std::min(to, bottom);
-    // An interface on a boundary of cells is not cut by rounding.
-    if (end - begin > 1e-9 * (to - from) && !stack.of_layer(layer).is_rigid())
-      for (std::size_t load = 0; load < loads.size(); ++load)
-      {
-        const green::WaveStress s = wave.mean_stress(loads[load], fields[load], layer, begin, end);
-        const double share = (end - begin) / (to - from);
-        const LoadParts parts{s.ll, s.tt, s.zz, s.lz, s.lt, s.tz};
-        for (std::size_t p = 0; p < parts.size(); ++p)
-          sum[p] += share * parts[p];
-      }
-    top = bottom;
-  }
-  return sum;
-}
-
 std::vector<green::StackWave::Field> fields_of(const green::StackWave& wave, Traction traction)
 {
   std::vector<green::StackWave::Field> fields;
   for (const WaveLoad load : loads_of(traction))
     fields.push_back(wave.field_of(load));
   return fields;
+}
+
+/// Adds `factor` times the mean stress in one layer of a wave.
+void add_mean(const green::StackWave& wave, const std::vector<green::StackWave::Field>& fields, Traction traction,
+              std::size_t layer, const MaterialRange& range, double factor, LoadParts& sum)
+{
+  const std::vector<WaveLoad> loads = loads_of(traction);
+  for (std::size_t load = 0; load < loads.size(); ++load)
+  {
+    const green::WaveStress s = wave.mean_stress(loads[load], fields[load], layer, range.from, range.to);
+    const LoadParts parts{s.ll, s.tt, s.zz, s.lz, s.lt, s.tz};
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      sum[p] += factor * parts[p];
+  }
+}
+
+/// Mean over a range of depths, which may contain interfaces.
+LoadParts mean_parts(const ElasticStack& stack, const green::StackWave& wave,
+                     const std::vector<green::StackWave::Field>& fields, Traction traction, double from, double to)
+{
+  LoadParts sum{};
+  for (const MaterialRange& range : materials_in(stack, from, to))
+    if (!stack.of_layer(range.material).is_rigid())
+      add_mean(wave, fields, traction, range.material, range, (range.to - range.from) / (to - from), sum);
+  return sum;
 }
 
 /// Terms of the stress by a pressure. Parts: ll + tt, ll - tt, zz, lz.
@@ -140,11 +137,11 @@ std::vector<WaveParts> excess(const VolumeGrid& grid, const ElasticStack& stack,
   {
     const double from = layer * grid.dz, to = (layer + 1) * grid.dz;
     LoadParts stress = mean_parts(stack, wave, fields, traction, from, to);
-    const ElasticStack alone{{}, {1.0, stack.at(0.5 * (from + to)).poisson_ratio}};
-    const green::StackWave other(alone, k);
-    const LoadParts homogeneous = mean_parts(alone, other, fields_of(other, traction), traction, from, to);
-    for (std::size_t p = 0; p < stress.size(); ++p)
-      stress[p] -= homogeneous[p];
+    for (const MaterialRange& range : materials_in(stack, from, to))
+    {
+      const green::StackWave alone({{}, {1.0, stack.of_layer(range.material).poisson_ratio}}, k);
+      add_mean(alone, fields_of(alone, traction), traction, 0, range, (range.from - range.to) / (to - from), stress);
+    }
     parts.push_back(parts_of(traction, stress));
   }
   return parts;
@@ -160,11 +157,9 @@ std::vector<RadialFields::Table> tables(const VolumeGrid& grid, const ElasticSta
 #pragma omp parallel for schedule(static)
   for (std::size_t n = 0; n < wavenumbers.size(); ++n)
   {
-    const double cut = scales.is_cut_off ? std::exp(-std::pow(1.6 * wavenumbers[n] / scales.largest(), 8)) : 1.0;
     const std::vector<WaveParts> parts = excess(grid, stack, traction, wavenumbers[n]);
     for (std::size_t layer = 0; layer < parts.size(); ++layer)
-      for (std::size_t p = 0; p < parts[layer].size(); ++p)
-        values[layer][n][p] = cut * parts[layer][p];
+      values[layer][n] = parts[layer];
   }
   std::vector<RadialFields::Table> result;
   result.reserve(values.size());
@@ -176,7 +171,7 @@ std::vector<RadialFields::Table> tables(const VolumeGrid& grid, const ElasticSta
 } // namespace
 
 ExcessStress::ExcessStress(const VolumeGrid& grid, const ElasticStack& stack, Traction traction)
-    : grid_(grid.surface.whole()), traction_(traction), scales_(stress_scales(grid, stack)),
+    : grid_(grid.surface.whole()), traction_(traction), scales_(stress_scales(stack)),
       waves_(tables(grid, stack, traction, scales_))
 {
   if (!grid_.is_periodic_x() && !grid_.is_periodic_y())

@@ -16,8 +16,8 @@
 namespace brinell::halfspace
 {
 
-/// Stress under a unit traction on a cell of a layered body, as the mean over a layer of cells, less that of a homogeneous body
-/// with Poisson's ratio of the material in the middle of these cells [-].
+/// Stress under a unit traction on a cell of a layered body, as the mean over a layer of cells, less that of homogeneous bodies
+/// with Poisson's ratios of the materials in these cells [-].
 class ExcessStress
 {
 public:

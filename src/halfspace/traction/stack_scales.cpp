@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brinell::halfspace
 {
@@ -25,31 +26,26 @@ WaveScales surface_scales(const ElasticStack& stack)
   return {.decay = 2.0 * stack.layers.front().thickness, .reach = reach(stack)};
 }
 
-namespace
+WaveScales stress_scales(const ElasticStack& stack)
 {
-
-/// Largest length of a cell along an axis that is not a single row of uniform fields.
-double cell_length(const SurfaceGrid& grid)
-{
-  const bool is_row = grid.ny == 1 && grid.is_periodic_y(), is_column = grid.nx == 1 && grid.is_periodic_x();
-  return is_row ? grid.dx : is_column ? grid.dy : std::max(grid.dx, grid.dy);
+  return {.decay = stack.layers.front().thickness, .reach = reach(stack)};
 }
 
-} // namespace
-
-WaveScales stress_scales(const VolumeGrid& grid, const ElasticStack& stack)
+std::vector<MaterialRange> materials_in(const ElasticStack& stack, double from, double to)
 {
-  constexpr double rounding = 1e-6; // of a layer of cells
-  double decay = stack.layers.front().thickness, depth = 0.0;
-  for (const ElasticLayer& layer : stack.layers)
+  constexpr double rounding = 1e-9; // of the range
+  std::vector<MaterialRange> ranges;
+  double top = 0.0;
+  for (std::size_t material = 0; material <= stack.layers.size(); ++material)
   {
-    depth += layer.thickness;
-    const double cells = depth / grid.dz, above = std::floor(cells + rounding);
-    if (cells - above > rounding && above < grid.nz)
-      decay = std::min(decay, above * grid.dz);
+    const double bottom = material < stack.layers.size() ? top + stack.layers[material].thickness
+                                                         : std::numeric_limits<double>::infinity();
+    const double begin = std::max(from, top), end = std::min(to, bottom);
+    if (end - begin > rounding * (to - from))
+      ranges.push_back({material, begin, end});
+    top = bottom;
   }
-  const double least = 0.125 * cell_length(grid.surface);
-  return {.decay = std::max(decay, least), .reach = reach(stack), .is_cut_off = decay < least};
+  return ranges;
 }
 
 } // namespace brinell::halfspace

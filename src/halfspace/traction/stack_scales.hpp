@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/foundation/grid.hpp"
 #include "brinell/green/stack.hpp"
 #include "wave_terms.hpp"
+
+#include <vector>
 
 namespace brinell::halfspace
 {
@@ -16,8 +17,17 @@ namespace brinell::halfspace
 /// first layer.
 [[nodiscard]] WaveScales surface_scales(const ElasticStack& stack);
 
-/// Waves of the stress in layers of cells. At the first interface they decay as e^{-kh}. In a layer of cells that contains an interface
-/// they decay more slowly, or not at all; they are cut off at an eighth of a cell.
-[[nodiscard]] WaveScales stress_scales(const VolumeGrid& grid, const ElasticStack& stack);
+/// Waves of the stress, less those of a homogeneous body with Poisson's ratio of the material in question: at the first interface they
+/// decay as e^{-kh}.
+[[nodiscard]] WaveScales stress_scales(const ElasticStack& stack);
+
+/// Part of a range of depths in one material, 0 for the first one.
+struct MaterialRange
+{
+  std::size_t material;
+  double from, to; ///< [m]
+};
+/// The materials in a range of depths. An interface at its end is not cut by rounding.
+[[nodiscard]] std::vector<MaterialRange> materials_in(const ElasticStack& stack, double from, double to);
 
 } // namespace brinell::halfspace

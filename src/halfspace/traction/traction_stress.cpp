@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/sym_tensor.hpp"
 #include "foundation/lane_functions.hpp"
+#include "stack_scales.hpp"
 #include "traction_waves.hpp"
 
 #include <algorithm>
@@ -76,18 +77,32 @@ void add_to(const Quadrant<SymTensor>& more, Quadrant<SymTensor>& sum)
       sum.values[n][c] += more.values[n][c];
 }
 
-/// Mean over a layer of the stress of a unit traction on one cell.
-Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double poisson_ratio, Traction traction)
+/// Adds to the mean over a layer of cells the stress of a unit traction on one cell in a part of it.
+/// @param from, to  where the part begins and ends, in layers from the surface
+void add_part(const VolumeGrid& grid, double from, double to, double poisson_ratio, Traction traction,
+              Quadrant<SymTensor>& mean)
 {
-  Quadrant<SymTensor> mean(grid.surface);
   for (std::size_t g = 0; g < point_of_layer.size(); ++g)
   {
-    const Quadrant<SymTensor> part =
-        cell_stress(grid.surface, (layer + 0.5 + point_of_layer[g]) * grid.dz, poisson_ratio, traction);
+    const Quadrant<SymTensor> part = cell_stress(
+        grid.surface, (0.5 * (from + to) + point_of_layer[g] * (to - from)) * grid.dz, poisson_ratio, traction);
     for (std::size_t n = 0; n < mean.values.size(); ++n)
       for (std::size_t c = 0; c < 6; ++c)
-        mean.values[n][c] += weight_of_layer[g] * part.values[n][c];
+        mean.values[n][c] += weight_of_layer[g] * (to - from) * part.values[n][c];
   }
+}
+
+/// Mean over a layer of cells, which may contain interfaces, of the stress of a unit traction on one cell of homogeneous bodies.
+Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, const ElasticStack& stack, Traction traction)
+{
+  Quadrant<SymTensor> mean(grid.surface);
+  const std::vector<MaterialRange> ranges = materials_in(stack, layer * grid.dz, (layer + 1) * grid.dz);
+  if (ranges.size() == 1)
+    add_part(grid, layer, layer + 1, stack.of_layer(ranges.front().material).poisson_ratio, traction, mean);
+  else
+    for (const MaterialRange& range : ranges)
+      add_part(grid, range.from / grid.dz, range.to / grid.dz, stack.of_layer(range.material).poisson_ratio, traction,
+               mean);
   return mean;
 }
 
@@ -96,7 +111,7 @@ Quadrant<SymTensor> mean_over_layer(const VolumeGrid& grid, int layer, double po
 void TractionStress::tabulate_cells(int layer, const ElasticStack& stack, const ExcessStress* excess,
                                     const PaddedFft& fft)
 {
-  Quadrant<SymTensor> response = mean_over_layer(grid_, layer, poisson_ratio_of(stack, grid_, layer), traction_);
+  Quadrant<SymTensor> response = mean_over_layer(grid_, layer, stack, traction_);
   if (excess != nullptr)
     add_to(excess->of_layer(layer), response);
   for (int which = 0; which < kernel_count; ++which)

@@ -64,11 +64,10 @@ using WaveTerms = std::span<const WaveTerm>;
 /// Range of wavenumbers that matter.
 struct WaveScales
 {
-  double decay;            ///< the waves decay as e^{-k decay} [m], or are cut off there
-  double reach;            ///< distance beyond which the field is that of the longest waves [m]
-  bool is_cut_off = false; ///< whether the waves do not decay by themselves
-  bool is_over_k = false;  ///< whether the amplitudes are the parts over k
-  WaveParts at_zero{};     ///< parts of the longest waves, if they are over k
+  double decay;           ///< the waves decay as e^{-k decay} [m]
+  double reach;           ///< distance beyond which the field is that of the longest waves [m]
+  bool is_over_k = false; ///< whether the amplitudes are the parts over k
+  WaveParts at_zero{};    ///< parts of the longest waves, if they are over k
 
   [[nodiscard]] double smallest() const { return 1e-5 / reach; }
   [[nodiscard]] double largest() const { return 30.0 / decay; }

@@ -216,6 +216,32 @@ TEST(StackCells, StressUnderALoadIsThatOfACloseNeighbourInTheLimit)
   }
 }
 
+TEST(StackCells, CellsMayContainInterfacesWhereNothingYields)
+{
+  // The stress in a layer of cells is the mean over those in eight, which end at the interfaces.
+  const ElasticStack stack{{{0.5, {4.0, 0.2}}, {1.0, {0.5, 0.45}}}, {1.0, 0.3}};
+  const VolumeGrid coarse{{8, 7, 1.0, 1.2}, 2, 1.0}, fine{coarse.surface, 16, 0.125};
+  const HalfSpace whole(coarse, stack), divided(fine, stack);
+  HalfSpace::Work work = whole.make_guest(), other = divided.make_guest();
+  const std::vector<double> load = test::random_field(coarse.surface.size(), 5);
+  std::vector<double> stress(6 * load.size()), part(stress.size());
+  for (const SurfaceLoad& by : {SurfaceLoad{.pressure = load}, SurfaceLoad{.shear_x = load}})
+    for (const int layer : {0, 1})
+    {
+      whole.stress_of_load(by, layer, work, stress);
+      std::vector<double> mean(stress.size());
+      for (int n = 8 * layer; n < 8 * (layer + 1); ++n)
+      {
+        divided.stress_of_load(by, n, other, part);
+        for (std::size_t i = 0; i < mean.size(); ++i)
+          mean[i] += part[i] / 8.0;
+      }
+      // The error of the rule of three points, in the half of a cell at the surface.
+      for (std::size_t i = 0; i < mean.size(); ++i)
+        EXPECT_NEAR(stress[i], mean[i], 1e-4) << layer;
+    }
+}
+
 TEST(StackCells, LayersMuchThinnerThanCellsAreRefused)
 {
   const SurfaceGrid coarse{4, 4, 4.1, 1.0}, periodic{4, 4, 4.1, 1.0, Boundary::periodic, Boundary::periodic};
