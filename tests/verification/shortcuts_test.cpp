@@ -299,6 +299,39 @@ TEST(ShortCuts, Windows)
   worst.tell("rolling");
 }
 
+/// Hard on soft layers on a body, and soft ones on a hard body, which roll far: with and without windows, and with and without all
+/// layers and cells in every evaluation.
+TEST(ShortCuts, CoatedRolling)
+{
+  const double load = 3.0, a = std::sqrt(0.5 * load * critical().interference);
+  const constitutive::HardeningLaw strong = constitutive::LinearHardening{2.0 * yield_stress, 20e9};
+  const constitutive::HardeningLaw weak = constitutive::LinearHardening{0.6 * yield_stress, 5e9};
+  WorstOfWindows worst;
+  Worst cells;
+  for (const bool hard : {true, false})
+  {
+    SCOPED_TRACE(hard);
+    simulation::RollingCase c;
+    c.lower = {ball(1.0), material(Law::linear, Profile::none)};
+    c.upper = {ball(1.0), elastic_material()};
+    const Elastic stiff{2.0 * elastic.young_modulus, 0.22}, soft{0.5 * elastic.young_modulus, 0.35};
+    c.lower.material.layers = {{0.4 * a, hard ? stiff : soft, hard ? strong : weak},
+                               {0.4 * a, hard ? soft : stiff, hard ? weak : strong}};
+    c.drive = approach(load * critical().interference);
+    c.distance = 12.0 * a;
+    c.load_steps = 3;
+    c.resolution = 4.5;
+    worst.compare(c);
+    c.distance = 3.0 * a;
+    expect_same(hard ? "hard" : "soft", c, cells);
+  }
+  EXPECT_LE(worst.strain, 1e-3);
+  EXPECT_LE(worst.residual, 1e-3);
+  EXPECT_LE(worst.force, 1e-3);
+  std::printf("windows: strain %.1e, residual %.1e, force %.1e; cells: strain %.1e, force %.1e\n", worst.strain,
+              worst.residual, worst.force, cells.strain, cells.force);
+}
+
 /// The contact grows until the windows are the longest ones, and shrinks again.
 TEST(ShortCuts, WindowsOfTugging)
 {

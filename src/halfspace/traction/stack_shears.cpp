@@ -5,9 +5,7 @@
 #include "radial_fields.hpp"
 #include "stack_scales.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace brinell::halfspace
 {

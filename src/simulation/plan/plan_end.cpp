@@ -71,4 +71,22 @@ void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<ha
       memory_bytes(plan, c.lower.material, c.upper.material, c.solver, plan.shears, heats ? &c.heat : nullptr);
 }
 
+void require_interfaces_at_cells(const Plan& larger, const constitutive::Material& lower,
+                                 const constitutive::Material& upper, const std::string& where)
+{
+  for (const auto& [name, grid, material] :
+       {std::tuple{"lower", &larger.lower, &lower}, {"upper", &larger.upper, &upper}})
+    if (material->is_plastic() && !material->layers.empty())
+      try
+      {
+        halfspace::require_aligned(*grid, material->stack());
+      }
+      catch (const InputError& error)
+      {
+        throw GridError(fmt::format("{}: the plastic zone has reached the bottom of its grid, and a deeper one would "
+                                    "contain another interface. All steps so far are kept. {}: {}",
+                                    where, member_of(name, "material.layers"), error.what()));
+      }
+}
+
 } // namespace brinell::simulation

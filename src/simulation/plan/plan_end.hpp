@@ -4,6 +4,7 @@
 #include "brinell/simulation/scenario.hpp"
 
 #include <functional>
+#include <string>
 
 /// Parts of a plan that all scenarios have once their grids are laid out.
 namespace brinell::simulation
@@ -17,5 +18,11 @@ void check_grids(const PairCase& c, Plan& plan);
 /// @param sticks  whether the surfaces may stick in places, so that the shear has two components
 /// @param heat_times  of the motion; called where there is heat
 void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<halfspace::HeatTimes()>& heat_times);
+
+/// Grids that have grown deeper may contain interfaces of layers that are not boundaries of their layers of cells.
+/// @param where  in the run, as at the beginning of a message
+/// @throws GridError
+void require_interfaces_at_cells(const Plan& larger, const constitutive::Material& lower,
+                                 const constitutive::Material& upper, const std::string& where);
 
 } // namespace brinell::simulation

@@ -10,6 +10,7 @@
 #include "naming_extent.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/memory.hpp"
+#include "simulation/plan/plan_end.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -349,6 +350,7 @@ void Stepper::grow(const elastoplastic::Outgrown& outgrown)
   }
   if (plan_.twin != elastoplastic::Twin::none)
     larger.upper = larger.lower;
+  require_interfaces_at_cells(larger, setup_.lower, setup_.upper, where_);
   // While the history moves to the larger grids, only the state of the smaller ones is in memory.
   larger.memory_bytes = memory_of(larger);
   if (!(larger.memory_bytes <= setup_.watch.available_memory))
