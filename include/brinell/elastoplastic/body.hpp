@@ -68,6 +68,12 @@ enum class Scope
   all          ///< all cells
 };
 
+/// An inclusion of a body that can yield.
+struct Inclusion : halfspace::Inclusion
+{
+  double yield_factor = 1.0; ///< on the yield stress of its cells, > 0
+};
+
 /// How a body is computed.
 struct BodySettings
 {
@@ -80,7 +86,7 @@ struct BodySettings
   /// Settings::windows.
   bool windows = false;
   /// Cells of other elastic constants. The body is then computed in all columns, must be able to yield, and takes no heat.
-  std::vector<halfspace::Inclusion> inclusions{};
+  std::vector<Inclusion> inclusions{};
 };
 
 /// Sides of a body's grid.

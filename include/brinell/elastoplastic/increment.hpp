@@ -22,7 +22,7 @@ namespace brinell::elastoplastic
 struct Textures
 {
   std::vector<double> lower, upper;
-  std::vector<halfspace::Inclusion> lower_inclusions{}, upper_inclusions{};
+  std::vector<Inclusion> lower_inclusions{}, upper_inclusions{};
 };
 
 /// Pressure, gap and approach at the end of an increment.

@@ -111,14 +111,14 @@ enum class Places
 /// The resolved case as a case file, which needs no further files.
 [[nodiscard]] std::string resolved_text(const CaseValues& values);
 
-/// The resolved case for a folder. Long height maps become separate binary files, whose names contain a checksum of the content,
+/// The resolved case for a folder. Long height maps, and voxels, become separate binary files, whose names contain a checksum of the content,
 /// so that equal texts mean equal cases.
 struct ResolvedFiles
 {
   std::string text;
   struct Map
   {
-    std::string name; ///< <stem>-heights-<16 hexadecimal digits>.npy
+    std::string name; ///< <stem>-heights-<16 hexadecimal digits>.npy, or -voxels-
     const std::vector<double>* heights;
     std::size_t columns;
   };

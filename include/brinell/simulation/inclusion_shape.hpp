@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/elastoplastic/body.hpp"
 #include "brinell/foundation/grid.hpp"
-#include "brinell/halfspace/inclusions.hpp"
 
 #include <array>
 #include <cstddef>
@@ -60,6 +60,7 @@ struct BodyInclusion
   Elastic elastic; ///< see halfspace::Inclusion
   std::variant<InclusionShape, InclusionCluster, InclusionVoxels> region{};
   halfspace::Inclusion::Own own{};
+  double yield_factor = 1.0; ///< on the yield stress of the body; rigid inclusions do not yield
   bool operator==(const BodyInclusion&) const = default;
 };
 
@@ -74,8 +75,8 @@ struct BodyInclusion
 [[nodiscard]] std::vector<InclusionShape> shapes_of(const InclusionCluster& cluster);
 /// Inclusions in the cells of a grid, as above; those beside the grid are left out.
 /// @throws InputError if one of them reaches beneath the grid
-[[nodiscard]] std::vector<halfspace::Inclusion> in_cells(const std::vector<BodyInclusion>& inclusions,
-                                                         const VolumeGrid& grid, double x0, double y0);
+[[nodiscard]] std::vector<elastoplastic::Inclusion> in_cells(const std::vector<BodyInclusion>& inclusions,
+                                                             const VolumeGrid& grid, double x0, double y0);
 /// Cells along the smallest semi-axis, which decide about the accuracy: docs/theory/inclusions.md.
 [[nodiscard]] double cells_per_axis(const InclusionShape& shape, const VolumeGrid& grid);
 

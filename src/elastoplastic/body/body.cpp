@@ -54,6 +54,28 @@ double softening_far_away(const constitutive::Material& material)
   return material.softening ? constitutive::softening_factor(*material.softening, material.temperature) : 1.0;
 }
 
+bool have_own_strength(const std::vector<Inclusion>& inclusions)
+{
+  return std::ranges::any_of(inclusions, [](const Inclusion& one) { return one.yield_factor != 1.0; });
+}
+
+/// Factors on the yield stress of the cells by the inclusions; empty if all are 1.
+std::vector<double> strength_of(const std::vector<Inclusion>& inclusions, std::size_t cells)
+{
+  if (!have_own_strength(inclusions))
+    return {};
+  std::vector<double> factor(cells, 1.0);
+  for (const Inclusion& inclusion : inclusions)
+  {
+    if (!(inclusion.yield_factor > 0.0 && std::isfinite(inclusion.yield_factor)))
+      throw InputError(fmt::format("the factor on the yield stress of an inclusion is {:g}; allowed: above 0",
+                                   inclusion.yield_factor));
+    for (const std::size_t cell : inclusion.cells)
+      factor[cell] = inclusion.yield_factor;
+  }
+  return factor;
+}
+
 /// Numbers per cell of a field; some ranks may have no layers.
 std::size_t numbers_of_cell(const BodyParts& b, const std::vector<double>& own_field)
 {
@@ -169,6 +191,7 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   if (!b.is_plastic())
     return;
   assign_laws(b);
+  b.state.softening = b.yield.softening = strength_of(settings.inclusions, n);
   b.trial.stiffness.assign(static_cast<std::size_t>(b.grid.nz), 0.0);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.state.stress.assign(Deviator::size * n, 0.0);
@@ -202,8 +225,11 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   BodyParts& b = parts_;
   if (!b.is_plastic())
     return;
+  std::vector<double> of_inclusions = strength_of(b.settings.inclusions, b.grid.size());
   b.state.softening.assign(history.softening.empty() ? 0 : b.grid.size(), softening_far_away(b.yield.material));
   embed_state(VolumeGrid{from.surface, b.share.count(from.nz), from.dz}, history, b.grid, b.state);
+  if (!of_inclusions.empty())
+    b.state.softening = std::move(of_inclusions);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.yield.softening = b.state.softening;
   prepare_trial(b);
@@ -218,6 +244,8 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
 void Body::set_softening(std::span<const double> factor)
 {
   BodyParts& b = parts_;
+  if (have_own_strength(b.settings.inclusions))
+    throw InputError("a body with inclusions of another yield stress is softened; allowed: one of both");
   if (!factor.empty())
     require_size("Body::set_softening: the factor", factor, b.whole.size());
   for (const double value : factor)

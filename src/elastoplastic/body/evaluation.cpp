@@ -91,7 +91,7 @@ Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::
     displacement_[2] = displacement_[0];
   if (!settings.inclusions.empty())
     embedded_ = std::make_unique<Embedded>(
-        *half_space_, settings.inclusions,
+        *half_space_, std::vector<halfspace::Inclusion>(settings.inclusions.begin(), settings.inclusions.end()),
         static_cast<std::size_t>(std::count_if(displacement_.begin(), displacement_.end(),
                                                [](const auto& component) { return !component.empty(); })));
   else if (is_plastic_ && shortcuts_ && settings.windows)

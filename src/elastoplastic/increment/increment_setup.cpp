@@ -105,7 +105,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                              .windows = settings.windows};
   if (twin != Twin::none && !(c.textures.lower_inclusions.empty() && c.textures.upper_inclusions.empty()))
     throw InternalError("CoupledContact: bodies with inclusions are not twins");
-  const auto with = [&](const std::vector<halfspace::Inclusion>& inclusions)
+  const auto with = [&](const std::vector<Inclusion>& inclusions)
   {
     BodySettings one = of_body;
     one.inclusions = inclusions;

@@ -274,9 +274,11 @@ void load_hardening_file(Case& c, const RawCase& raw, const std::string& body, P
 simulation::ShapedBody read_body(const CaseReader& reader, const std::string& body, const simulation::Domain* domain)
 {
   const std::string shape = body + ".shape.";
-  return {made(reader, shape, chosen(reader, shape + "type", shape_options())), material(reader, body + ".material."),
-          read_texture(reader, body + ".texture", domain), read_fatigue(reader, body + ".material.fatigue."),
-          read_film(reader, body + ".film")};
+  simulation::ShapedBody result{made(reader, shape, chosen(reader, shape + "type", shape_options())),
+                                material(reader, body + ".material."), read_texture(reader, body + ".texture", domain),
+                                read_fatigue(reader, body + ".material.fatigue."), read_film(reader, body + ".film")};
+  result.inclusions = read_inclusions(reader, body, result.material);
+  return result;
 }
 
 } // namespace brinell::io

@@ -82,6 +82,7 @@ Case parse_case(std::string_view text, const std::filesystem::path& file, const 
   {
     load_hardening_file(result, raw, body, problems);
     load_texture_files(result.values, raw, body, problems, result.warnings);
+    load_voxel_files(result.values, raw, body, problems);
   }
   problems.throw_if_any();
 
@@ -163,7 +164,7 @@ std::string text_with(const CaseValues& values,
 /// Whether a file was written, or begun, by `write_resolved` for resolved.toml.
 bool is_resolved_map(const std::filesystem::path& file)
 {
-  static const Pattern map(R"(resolved-heights-[0-9a-f]{16}\.npy(\.part)?)");
+  static const Pattern map(R"(resolved-(?:heights|voxels)-[0-9a-f]{16}\.npy(\.part)?)");
   return map.match(file.filename().string()).has_value();
 }
 
@@ -182,16 +183,17 @@ ResolvedFiles resolved_files(const CaseValues& values, std::string_view stem)
                           {
                             const std::string table(key.substr(0, key.rfind('.') + 1));
                             const bool is_columns = key == table + "columns";
-                            if (!is_columns && key != table + "heights")
+                            const char* name = values.find(table + "voxels") != nullptr ? "voxels" : "heights";
+                            if (!is_columns && key != table + name)
                               return std::nullopt;
-                            const auto& heights = values.get<std::vector<double>>(table + "heights");
+                            const auto& heights = values.get<std::vector<double>>(table + name);
                             if (heights.size() <= most_inline)
                               return std::nullopt;
                             if (is_columns) // the binary file contains the number of columns
                               return "";
                             const auto columns = static_cast<std::size_t>(values.get<std::int64_t>(table + "columns"));
                             const std::string sum = checksum(npy_content(heights, columns));
-                            result.maps.push_back({fmt::format("{}-heights-{}.npy", stem, sum),
+                            result.maps.push_back({fmt::format("{}-{}-{}.npy", stem, name, sum),
                                                    &std::get<std::vector<double>>(value), columns});
                             return fmt::format("file = {}\n", toml_string(result.maps.back().name));
                           });

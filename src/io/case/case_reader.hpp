@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace brinell::io
 {
@@ -127,6 +129,11 @@ Product made(const CaseReader& reader, const std::string& table, const Option<Pr
 /// Reads the film on a surface from the table `key`: its thickness in place of heights; smooth without one.
 [[nodiscard]] simulation::Texture read_film(const CaseReader& reader, const std::string& key);
 
+/// Reads the inclusions of a body in the tables of the list `inclusion`. For one that cannot be made, or that does not go with the
+/// material, a problem is added.
+[[nodiscard]] std::vector<simulation::BodyInclusion> read_inclusions(const CaseReader& reader, const std::string& body,
+                                                                     const constitutive::Material& material);
+
 /// Fills in the thermal constants, if there are any. `material.elastic` must be set before, because a rigid body has no thermal
 /// expansion.
 /// @param table  ends with a dot
@@ -158,6 +165,8 @@ void read_domain(const CaseReader& reader, simulation::Domain& domain, bool both
 void load_hardening_file(Case& c, const RawCase& raw, const std::string& body, Problems& problems);
 void load_texture_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems,
                         std::vector<Warning>& warnings);
+/// Replaces inclusion.file by its voxels.
+void load_voxel_files(CaseValues& values, const RawCase& raw, const std::string& body, Problems& problems);
 
 /// Completes the case of the scenario: checks that need more than the schema, equivalent radius, contact modulus, first yield and
 /// warnings. Errors are added to the reader's problems.

@@ -258,7 +258,7 @@ std::vector<Entry> joined(std::vector<std::vector<Entry>> parts)
 std::vector<Entry> body_entries(const std::string& body)
 {
   return joined({shape_entries(body + ".shape."), texture_entries(body + ".texture."), film_entries(body + ".film."),
-                 material_entries(body + ".material.")});
+                 material_entries(body + ".material."), inclusion_entries(body + ".inclusion.")});
 }
 
 } // namespace brinell::io

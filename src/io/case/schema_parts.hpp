@@ -112,6 +112,9 @@ Entry parameter(const std::string& choice, const std::vector<Option<Product>>& o
 /// Keys of one body, "lower" or "upper": shape, texture, material.
 [[nodiscard]] std::vector<Entry> body_entries(const std::string& body);
 
+/// Keys of the inclusions of a body. @param table  ends with a dot
+[[nodiscard]] std::vector<Entry> inclusion_entries(const std::string& table);
+
 /// Keys of a material. @param material  its table, ends with a dot
 [[nodiscard]] std::vector<Entry> material_entries(const std::string& material);
 

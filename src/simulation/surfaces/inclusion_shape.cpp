@@ -191,10 +191,11 @@ void require_above(const VolumeGrid& grid, double deepest, std::size_t number)
 
 } // namespace
 
-std::vector<halfspace::Inclusion> in_cells(const std::vector<BodyInclusion>& inclusions, const VolumeGrid& grid,
-                                           double x0, double y0)
+std::vector<elastoplastic::Inclusion> in_cells(const std::vector<BodyInclusion>& inclusions, const VolumeGrid& grid,
+                                               double x0, double y0)
 {
-  std::vector<halfspace::Inclusion> result;
+  constexpr double unyielding = 1e9; // of rigid cells, whose stress has no accuracy in single ones
+  std::vector<elastoplastic::Inclusion> result;
   result.reserve(inclusions.size());
   for (std::size_t number = 0; number < inclusions.size(); ++number)
   {
@@ -217,7 +218,8 @@ std::vector<halfspace::Inclusion> in_cells(const std::vector<BodyInclusion>& inc
       cells.insert(cells.end(), of_shape.begin(), of_shape.end());
     }
     if (!cells.empty())
-      result.push_back({inclusion.elastic, std::move(cells), inclusion.own});
+      result.push_back({{inclusion.elastic, std::move(cells), inclusion.own},
+                        inclusion.elastic.is_rigid() ? unyielding : inclusion.yield_factor});
   }
   return result;
 }

@@ -55,6 +55,32 @@ TEST(EmbeddedTest, InclusionOfTheBodysOwnConstantsIsNone)
   }
 }
 
+// Weaker or stronger cells of the body's own constants are cells with a factor on the yield stress in a body without inclusions.
+TEST(EmbeddedTest, StrengthOfAnInclusionIsThatOfItsCells)
+{
+  for (const double strength : {0.5, 100.0})
+  {
+    PressOptions options = with_block(1.0, 0.32), without;
+    without.hardening_modulus = options.hardening_modulus;
+    options.settings = without.settings = tight_settings();
+    options.strength = strength;
+    SpherePress own(options), plain(without);
+    std::vector<double> factor(own.volume().size(), 1.0);
+    for (const std::size_t cell : options.inclusions.front().cells)
+      factor[cell] = strength;
+    plain.contact().set_softening(factor, {});
+    for (const double interference : {3.0, 6.0, 2.0})
+    {
+      ASSERT_TRUE(own.press(interference).converged);
+      ASSERT_TRUE(plain.press(interference).converged);
+    }
+    EXPECT_NEAR(own.load(), plain.load(), 1e-7 * plain.load());
+    expect_near(copy(own.contact().lower().state().plastic_strain),
+                copy(plain.contact().lower().state().plastic_strain), 1e-7, "plastic strain");
+    EXPECT_THROW(own.contact().set_softening(factor, {}), InputError);
+  }
+}
+
 // All equations anew, from the committed strain and the pressure, by inclusions that start from nothing: the stress is admissible in every cell, and the
 // surfaces with the displacement of plastic and equivalent strain bear the pressure.
 TEST(EmbeddedTest, ConvergedStateIsAdmissibleAndBalanced)

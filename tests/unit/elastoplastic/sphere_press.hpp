@@ -23,6 +23,7 @@ struct PressOptions
   bool sticks = false;                            ///< where friction can hold it
   double upper_stiffness = 1.0;                   ///< Young's modulus of the upper sphere over that of the lower one
   std::vector<halfspace::Inclusion> inclusions{}; ///< of the lower sphere
+  double strength = 1.0;                          ///< factor on the yield stress of the inclusions
   bool is_mirrored = false;                       ///< solve one side of y = 0
 };
 
@@ -42,8 +43,17 @@ public:
         contact_(grid_, volume(), volume(), material(options.lower_plastic),
                  material(options.upper_plastic, options.upper_stiffness),
                  Scales{alpha_c / options.unit, 6.0 * alpha_c / options.unit}, options.settings, Twin::none,
-                 Textures{{}, {}, options.inclusions, {}}, 0.0, {options.friction, 1, options.sticks})
+                 Textures{{}, {}, inclusions(), {}}, 0.0, {options.friction, 1, options.sticks})
   {
+  }
+
+  [[nodiscard]] std::vector<Inclusion> inclusions() const
+  {
+    std::vector<Inclusion> all;
+    all.reserve(options_.inclusions.size());
+    for (const halfspace::Inclusion& one : options_.inclusions)
+      all.push_back({one, options_.strength});
+    return all;
   }
 
   /// Gap of the undeformed spheres at an interference in units of alpha_c.

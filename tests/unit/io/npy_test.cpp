@@ -81,6 +81,26 @@ TEST_F(Npy, WrittenIsRead)
   EXPECT_EQ(table.columns, 2U);
 }
 
+// Element [z, y, x] = [1, 0, 2] of an array of 2 x 3 x 4 is x = 2, y = 0, z = 1 in either order of the bytes.
+TEST_F(Npy, VolumesAreReadInEitherOrder)
+{
+  std::vector<std::int8_t> by_rows(24, 0), by_columns(24, 0);
+  by_rows[12 + 2] = by_columns[2 * 6 + 0 * 2 + 1] = 1;
+  for (const bool is_by_columns : {false, true})
+  {
+    const auto file = folder.path() / "volume.npy";
+    std::ofstream(file, std::ios::binary)
+        << file_of(is_by_columns ? "{'descr': '|b1', 'fortran_order': True, 'shape': (2, 3, 4), }\n"
+                                 : "{'descr': '|b1', 'fortran_order': False, 'shape': (2, 3, 4), }\n",
+                   is_by_columns ? by_columns : by_rows);
+    const NpyVolume volume = read_npy_volume(file);
+    EXPECT_EQ(volume.count, (std::array<std::size_t, 3>{4, 3, 2}));
+    ASSERT_EQ(volume.values.size(), 24U);
+    for (std::size_t i = 0; i < 24; ++i)
+      EXPECT_EQ(volume.values[i], i == 14 ? 1.0 : 0.0);
+  }
+}
+
 TEST_F(Npy, Refusals)
 {
   const std::vector<double> two{1.0, 2.0};
