@@ -254,6 +254,14 @@ void require_shareable(const io::Case& c, int ranks)
   for (const auto& [name, value] : c.values.all())
     if (name.find("fatigue") != std::string::npos)
       key = name;
+  std::visit(
+      [&](const auto& scenario)
+      {
+        for (const auto& [name, body] : {std::pair{"lower", &scenario.lower}, {"upper", &scenario.upper}})
+          if (!body->inclusions.empty())
+            key = fmt::format("{}.inclusion", name);
+      },
+      c.scenario);
   if (!key.empty())
     throw InputError(
         fmt::format("{}: {} is not available where {} processes compute a case together; allowed: one process",

@@ -80,9 +80,10 @@ struct Facts
   std::optional<double> cells_per_texture; ///< cells per shortest wave of any textured bodies; see roughness.hpp
   std::array<const simulation::Texture*, 2> textures{nullptr, nullptr};
   std::array<const constitutive::Material*, 2> materials{nullptr, nullptr};
-  bool is_heated = false;                ///< by friction or a source
-  bool has_source = false;               ///< of heat, other than friction
-  std::vector<std::string_view> effects; ///< names of those that act
+  std::array<simulation::EmbeddedCells, 2> inclusions{}; ///< of each body
+  bool is_heated = false;                                ///< by friction or a source
+  bool has_source = false;                               ///< of heat, other than friction
+  std::vector<std::string_view> effects;                 ///< names of those that act
   elastoplastic::Effects effect_settings;
   std::array<bool, 2> is_softened_by_current{}; ///< yield stress of each body
   bool has_thermal_stress = false;              ///< thermal stress is part of the yield condition

@@ -43,6 +43,9 @@ bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 void withhold_errors(const Facts& facts, const simulation::RunTotals* seen, Resolution& resolution,
                      std::vector<Warning>& warnings);
 
+/// Warns of inclusions that few cells resolve, and of those that the grid cuts or leaves out.
+void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings);
+
 /// Estimate before a run of the share of the contact that is at the shear limit of a surface: of a pressure that is
 /// that of Hertz up to the hardness. 0 where the shear has no such limit, where surfaces may stick, and without an
 /// estimate of the pressure.

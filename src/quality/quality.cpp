@@ -263,7 +263,9 @@ Facts facts_of(const PairCase& c, const Plan& plan, double half_x, double half_y
       !c.lower.material.initial_stress.depth().empty() || !c.upper.material.initial_stress.depth().empty();
   // On textures stand peaks of pressure.
   f.is_smooth = are_smooth(c.lower, c.upper);
-  if (!stressed && f.is_smooth)
+  f.inclusions = plan.inclusions;
+  const bool has_inclusions = f.inclusions[0].cells + f.inclusions[1].cells > 0; // around which the body yields earlier
+  if (!stressed && f.is_smooth && !has_inclusions)
     f.first_yield = plan.first_yield;
   f.solver = c.solver;
   f.is_plane = is_plane(plan.contact);
@@ -309,6 +311,7 @@ Quality quality_before(const Facts& f)
       judge.add(std::move(warning));
   judge.of_profiles();
   judge.of_coats();
+  warn_of_inclusions(f, judge.warnings());
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();
@@ -340,6 +343,7 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
     judge.add(std::move(warning));
   judge.of_profiles();
   judge.of_coats();
+  warn_of_inclusions(f, judge.warnings());
   judge.of_step();
   judge.of_size();
   judge.of_warm_bulk();

@@ -249,12 +249,15 @@ std::optional<Warning> unsteadiness(const RollingCase& rolling, const std::vecto
   if (worst == passes.end() || !(std::abs(worst->unsteadiness) > largest_unsteadiness))
     return std::nullopt;
   const bool is_rough = !rolling.lower.texture.is_smooth() || !rolling.upper.texture.is_smooth();
+  const bool has_inclusions = !rolling.lower.inclusions.empty() || !rolling.upper.inclusions.empty();
   return Warning{
       "unsteady_track",
       fmt::format("pass {}: the energy absorbed per length differs by {} between the two quarters in the middle of the "
                   "track: resistance, friction and mean F_X hold for this part of the track only; use a longer track{}",
                   worst - passes.begin() + 1, percent_text(std::abs(worst->unsteadiness)),
-                  is_rough ? ", many times longer than the texture" : "")};
+                  is_rough         ? ", many times longer than the texture"
+                  : has_inclusions ? ", many times longer than the distance of the inclusions"
+                                   : "")};
 }
 
 /// Warning about the last pass, if stick and slip have not become steady.

@@ -224,6 +224,8 @@ public:
   /// The ranks that share the body.
   [[nodiscard]] const Communicator& ranks() const { return *parts_.ranks; }
   [[nodiscard]] bool has_inclusions() const { return !parts_.settings.inclusions.empty(); }
+  /// Iterations and residual of their equivalent strain in the last evaluation.
+  [[nodiscard]] halfspace::Inclusions::Report inclusion_report() const;
   [[nodiscard]] const constitutive::Material& material() const { return parts_.yield.material; }
   /// Of a body that ranks share, with the fields of the own layers.
   [[nodiscard]] const BodyState& state() const { return parts_.state; }

@@ -82,6 +82,8 @@ struct IncrementReport
   double displacement_error = 0.0; ///< largest change of residual displacement in the last evaluation [m]
   double gap_error = 0.0;          ///< contact complementarity [m]
   double energy = 0.0;             ///< locked-in, elastic and dissipated energy, which backward Euler minimises [J]
+  long inclusion_iterations = 0;   ///< of the equivalent strain of inclusions, in all evaluations of both bodies
+  double inclusion_residual = 0.0; ///< of its equation in the last evaluation, relative to the stress
   bool energy_rose = false;        ///< stopped by Strategy::watch_energy
   bool overloaded = false;         ///< friction could not carry the force along the surface in the last evaluation
 };

@@ -71,6 +71,7 @@ struct Workload
   std::vector<Factor> factors; ///< of the logarithm of the evaluations per step
   std::vector<Amount> amounts; ///< of the time
   Certainty certainty = Certainty::elastic;
+  double fewest_evaluations = 1.0; ///< per step
 };
 
 /// @param half_width  of the contact along x, estimate [m]

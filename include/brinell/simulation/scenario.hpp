@@ -105,6 +105,19 @@ struct PairCase : Numerics
   ShapedBody lower, upper;
 };
 
+/// Inclusions of a body on its grid.
+struct EmbeddedCells
+{
+  std::size_t cells = 0;                                  ///< of all inclusions; 0: none
+  int layers = 0;                                         ///< down to the deepest
+  double least = std::numeric_limits<double>::infinity(); ///< cells along the smallest semi-axis
+  std::size_t coarsest = 0;                               ///< index of the inclusion with that semi-axis
+  int cut = 0, beside = 0;              ///< shapes that end at the edge of the grid, and that lie beside it
+  double contrast = 0.0;                ///< of the coarsest in shear: -1 rigid, 1 void
+  double softest = 0.0, stiffest = 0.0; ///< largest and smallest contrast of all
+  bool has_own_strain = false, has_own_strength = false;
+};
+
 /// Grids, steps, tolerances and memory of a run; computed without running.
 struct Plan
 {
@@ -124,7 +137,8 @@ struct Plan
   double peak_pressure = 0.0;   ///< of the smooth bodies if they stayed elastic, estimate [Pa]; 0 without an estimate
   /// Elastic peak pressure of the smooth bodies over that at first yield, with the friction of surfaces that slide; 0: not known.
   double peak_over_yield = 0.0;
-  double reference = 0.0; ///< reference distance of the displacement with one periodic axis [m]
+  double reference = 0.0;                    ///< reference distance of the displacement with one periodic axis [m]
+  std::array<EmbeddedCells, 2> inclusions{}; ///< of the lower and the upper body
 };
 
 /// Extent of contact and plastic zone in cells so far, from which the resolution is judged (quality/quality.hpp).
@@ -283,16 +297,24 @@ struct StepFields
   [[nodiscard]] Snapshot whole() const;
 };
 
+/// How the equivalent strain of inclusions was found, since the start.
+struct InclusionTotals
+{
+  long iterations = 0;           ///< each costs one evaluation of the layers down to the deepest inclusion
+  double largest_residual = 0.0; ///< at the end of an increment, relative to the stress
+};
+
 /// Part of every summary.
 struct RunTotals : RunningTotals
 {
   int steps = 0;
   long evaluations = 0;
   int split_increments = 0; ///< steps that did not converge in one increment: split, or solved by plain descent
-  double max_share_at_shear_limit = 0.0;   ///< largest `FrictionRecord::share_at_shear_limit` of the run
-  std::array<double, 2> max_temperature{}; ///< largest of the lower and of the upper surface in motion [deg C]
-  int most_held_cells = 0;                 ///< `Heating::most_held_cells`
-  double share_of_held_cells = 0.0;        ///< `Heating::share_of_held_cells`
+  std::optional<InclusionTotals> inclusions; ///< none without inclusions
+  double max_share_at_shear_limit = 0.0;     ///< largest `FrictionRecord::share_at_shear_limit` of the run
+  std::array<double, 2> max_temperature{};   ///< largest of the lower and of the upper surface in motion [deg C]
+  int most_held_cells = 0;                   ///< `Heating::most_held_cells`
+  double share_of_held_cells = 0.0;          ///< `Heating::share_of_held_cells`
   /// (work - dissipation - stored energy) / largest work reached; with the works of expansion and of wear
   double energy_balance_error = 0.0;
   std::vector<GridChange> grid_changes;                 ///< during the run

@@ -241,6 +241,11 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   recover_guess(b);
 }
 
+halfspace::Inclusions::Report Body::inclusion_report() const
+{
+  return parts_.evaluation->inclusion_report();
+}
+
 void Body::set_softening(std::span<const double> factor)
 {
   BodyParts& b = parts_;

@@ -37,11 +37,11 @@ Embedded::Embedded(const halfspace::HalfSpace& body, const std::vector<halfspace
 /// Finds the equivalent strain for the stress `given_`.
 void Embedded::solve(halfspace::InclusionField& equivalent)
 {
-  const halfspace::Inclusions::Report report = inclusions_.solve(given_, equivalent, tolerance, most_iterations);
-  if (!(report.residual <= acceptable))
+  report_ = inclusions_.solve(given_, equivalent, tolerance, most_iterations);
+  if (!(report_.residual <= acceptable))
     throw ConvergenceError(fmt::format("the equivalent strain of the inclusions has not converged: after {} iterations "
                                        "its equation is off by {:.1e} of the stress",
-                                       report.iterations, report.residual));
+                                       report_.iterations, report_.residual));
 }
 
 void Embedded::find_own_stress()

@@ -35,6 +35,8 @@ public:
               std::span<double> stress);
   /// Adds the stress of the present equivalent strain and of the own strain.
   void add_stress(int layers, std::span<double> deviator, std::span<double> trace);
+  /// Iterations and residual of the last `update`.
+  [[nodiscard]] const halfspace::Inclusions::Report& report() const { return report_; }
   /// Largest difference between the normal displacement that the last `update` has found and that before it [m].
   [[nodiscard]] double error() const { return error_; }
   void restore();
@@ -53,6 +55,7 @@ private:
   std::size_t surface_, axes_;
   Anderson acceleration_;
   double error_ = 0.0;
+  halfspace::Inclusions::Report report_{};
   std::vector<double> trace_, found_, change_, own_deviator_, own_trace_;
 
   void solve(halfspace::InclusionField& equivalent);

@@ -70,6 +70,11 @@ public:
   {
     return half_space_->elastic_of(share_.layer(static_cast<int>(layer)));
   }
+  /// Of the equivalent strain of the inclusions in the last evaluation; zero without inclusions.
+  [[nodiscard]] halfspace::Inclusions::Report inclusion_report() const
+  {
+    return embedded_ ? embedded_->report() : halfspace::Inclusions::Report();
+  }
   /// Deviator of the stress of the own strain of inclusions; empty: none.
   [[nodiscard]] std::span<const double> own_stress() const
   {

@@ -105,6 +105,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                              .windows = settings.windows};
   if (twin != Twin::none && !(c.textures.lower_inclusions.empty() && c.textures.upper_inclusions.empty()))
     throw InternalError("CoupledContact: bodies with inclusions are not twins");
+  if (ranks && !ranks->is_alone() && !(c.textures.lower_inclusions.empty() && c.textures.upper_inclusions.empty()))
+    throw InputError("a body with inclusions is shared by ranks; allowed: one process");
   const auto with = [&](const std::vector<Inclusion>& inclusions)
   {
     BodySettings one = of_body;

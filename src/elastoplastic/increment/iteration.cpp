@@ -167,9 +167,14 @@ bool Iteration::find_images()
 {
   std::array<bool, 2> grew{};
   on_sides(c_, [&](std::size_t side) { grew[side] = c_.sides[side].body.update(c_.sides[side].load()); });
-  report_.yield_error = 0.0;
+  report_.yield_error = report_.inclusion_residual = 0.0;
   for (const Side& side : c_.sides)
+  {
     report_.yield_error = larger(report_.yield_error, side.body.yield_error());
+    const halfspace::Inclusions::Report inclusions = side.body.inclusion_report();
+    report_.inclusion_iterations += inclusions.iterations;
+    report_.inclusion_residual = larger(report_.inclusion_residual, inclusions.residual);
+  }
   return grew[0] || grew[1];
 }
 

@@ -178,6 +178,12 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
       reader.problems.add(reader.place(fmt::format("{}.texture.type", name)),
                           fmt::format("{}.texture does not fit the period: {}", name, *reason));
   reader.problems.throw_if_any();
+  for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
+    if (!body->inclusions.empty())
+      c.notes.push_back(
+          fmt::format("{}.inclusion: first yield, critical values and expected errors are those of the body "
+                      "without inclusions",
+                      name));
   warn_of_material("lower", lower.material, c);
   warn_of_material("upper", upper.material, c);
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})

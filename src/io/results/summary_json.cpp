@@ -251,6 +251,9 @@ void put_last(Json& json, const Case& c, const RunTotals& s, const RunInfo& info
                  {"split_increments", s.split_increments},
                  {"threads", info.threads},
                  {"wall_time_s", info.wall_time}};
+  if (s.inclusions)
+    json["run"]["inclusions"] = {{"iterations", s.inclusions->iterations},
+                                 {"largest_residual", s.inclusions->largest_residual}};
   json["warnings"] = warnings_json(info.quality.warnings);
   json["resolution"] = resolution_json(info.quality.resolution);
   if (info.accuracy)

@@ -6,6 +6,7 @@
 #include "brinell/simulation/first_yield.hpp"
 #include "simulation/plan/domain.hpp"
 #include "simulation/plan/effects.hpp"
+#include "simulation/plan/embedding.hpp"
 #include "simulation/plan/footprint.hpp"
 #include "simulation/plan/friction.hpp"
 #include "simulation/plan/grid_layout.hpp"
@@ -175,6 +176,7 @@ Extents extents_of(const TuggingCase& tugging, const Pair& pair, const Passing& 
   e.upper_x = track_half_length(tugging, pair, passing, passing.radius_upper(), scale);
   const bool endless = touch_all_along_y(tugging.lower.shape, tugging.upper.shape, tugging.domain);
   e.depth = scale * stressed_depth(half_x, endless ? std::numeric_limits<double>::infinity() : half_y);
+  e.depth = depth_with_inclusions(tugging.lower, tugging.upper, e.depth);
   cover(tugging.heat.source, e);
   return e;
 }
@@ -321,7 +323,8 @@ TuggingPlan plan(const TuggingCase& tugging)
   plan.peak_over_yield = pair.peak_over_yield;
   plan.shift = 0.5 * cells * dx;
   plan.start_distance = pass.start_distance();
-  end_plan(tugging, false, plan, [&] { return heat_times(tugging, plan, cells); });
+  end_plan(tugging, false, plan, [&] { return heat_times(tugging, plan, cells); },
+           {plan.closest.y_lower, plan.closest.y_upper});
   return plan;
 }
 

@@ -5,6 +5,7 @@
 #include "brinell/reference/hertz.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "domain.hpp"
+#include "embedding.hpp"
 #include "grid_layout.hpp"
 #include "texture_footprint.hpp"
 
@@ -321,9 +322,11 @@ Footprint footprint(const ShapedBody& lower, const ShapedBody& upper, const Driv
     Footprint f = of_flats(lower, upper, pair.modulus, pair.yield_pressure, drive, domain);
     f.frictionless_yield_approach =
         friction > 0.0 ? footprint(lower, upper, drive, domain).first_yield_approach : f.first_yield_approach;
+    f.depth = depth_with_inclusions(lower, upper, f.depth);
     return f;
   }
   Footprint f = smooth_footprint_of(pair, lower, upper, drive, domain, friction);
+  f.depth = depth_with_inclusions(lower, upper, f.depth);
   if (!domain.is_periodic())
   {
     add_textures(lower, upper, drive, pair.modulus, domain, f);

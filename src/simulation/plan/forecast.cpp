@@ -45,7 +45,7 @@ Forecast forecast(const Workload& work)
   for (std::size_t i = 0; i < work.factors.size(); ++i)
     exponent += constant_of(measured::of_factors, i, work.factors[i].name) * work.factors[i].value;
   Forecast forecast;
-  forecast.evaluations = work.steps * std::max(1.0, std::exp(exponent));
+  forecast.evaluations = work.steps * std::max(work.fewest_evaluations, std::exp(exponent));
   const double slower = slowness();
   for (std::size_t i = 0; i < work.amounts.size(); ++i)
   {

@@ -106,6 +106,19 @@ double share_near_yield(const VolumeGrid& grid, const Plan& plan)
   return begun * std::min(0.2, 0.05 + 0.06 * std::max(0.0, over - 1.0)); // most under a tip, where `over` is infinite
 }
 
+/// Memory of inclusions beside that of their body: work of its strain and of a dilatation, fields of both on the whole grid, and the unknowns
+/// with the vectors of their iteration.
+double embedding_bytes(const VolumeGrid& grid, const EmbeddedCells& inclusions, int shears, int ranks)
+{
+  constexpr double unknowns = 6.0, vectors = 24.0, fields = 14.0, of_dilatation = 1.3;
+  if (inclusions.cells == 0)
+    return 0.0;
+  const double own = inclusions.has_own_strain ? 6.0 : 0.0, strength = inclusions.has_own_strength ? 2.0 : 0.0;
+  const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears, ranks);
+  return (1.0 + of_dilatation) * half_space.work + half_space.trace + field_bytes(grid, fields + own + strength) +
+         unknowns * vectors * static_cast<double>(inclusions.cells) * sizeof(double);
+}
+
 /// Active cells in an increment, with the history of the acceleration. Without short cuts all cells are active.
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
                    const elastoplastic::Settings& solver, const Plan& plan, int ranks)
@@ -232,7 +245,10 @@ MemoryParts memory_parts(const Plan& plan, const constitutive::Material& lower, 
     parts.bodies += body_bytes(*grid, *material, shears, ranks);
     parts.heat += heat ? heat_bytes(*grid, *material, solver, plan, *heat) : 0.0;
     parts.trials += trial_bytes(*grid, *material, solver, plan, ranks);
-    parts.windows += window_bytes(plan, *grid, *material, solver, shears, ranks);
+    const EmbeddedCells& inclusions = plan.inclusions[grid == &plan.lower ? 0 : 1];
+    parts.bodies += embedding_bytes(*grid, inclusions, shears, ranks);
+    if (inclusions.cells == 0)
+      parts.windows += window_bytes(plan, *grid, *material, solver, shears, ranks);
   }
   return parts;
 }

@@ -2,6 +2,7 @@
 #include "plan_end.hpp"
 
 #include "domain.hpp"
+#include "embedding.hpp"
 #include "footprint.hpp"
 #include "heat.hpp"
 #include "memory.hpp"
@@ -59,9 +60,11 @@ void check_grids(const PairCase& c, Plan& plan)
   plan.reference = reference_distance(c.lower.shape, c.upper.shape, c.domain);
 }
 
-void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<halfspace::HeatTimes()>& heat_times)
+void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<halfspace::HeatTimes()>& heat_times,
+              const std::array<double, 2>& beside)
 {
   check_layers(c, sticks, plan);
+  plan.inclusions = embedded_cells(c, plan, beside);
   const bool heats = is_heated(c);
   if (heats)
     plan.heat_times = heat_times();

@@ -218,6 +218,22 @@ std::vector<Factor> factors_of(const Situation& s, double severity)
   return factors;
 }
 
+/// Evaluations per step with inclusions, also where the body does not yield (measured, docs/theory/inclusions.md).
+constexpr double evaluations_with_inclusions = 6.0;
+
+/// Iterations of the equivalent strain of inclusions in an evaluation, each from the last solution on (measured there, too).
+double iterations_of(const EmbeddedCells& inclusions)
+{
+  constexpr double least = 1.5, of_contrast = 7.5, of_void = 8.0, of_rigid = 5.0, extreme = 0.999, mixed = 0.1,
+                   of_mixed = 2.0;
+  const auto [softest, stiffest] = std::pair{inclusions.softest, -inclusions.stiffest};
+  const double one = least + of_contrast * std::max(softest, stiffest) +
+                     (softest > extreme    ? of_void
+                      : stiffest > extreme ? of_rigid
+                                           : 0.0);
+  return std::min(softest, stiffest) > mixed ? of_mixed * one : one;
+}
+
 /// Sums over the bodies that are solved, in transforms of planes and in cells, both in units of 1e9.
 struct Sizes
 {
@@ -228,6 +244,7 @@ struct Sizes
 Sizes sizes_of(const Situation& s)
 {
   const double unit = 1e-9 * (s.is_line && s.can_yield() ? growth_of_line(s.severity()) : 1.0);
+  constexpr double of_iteration = 1.6; // with the dilatation, and the means over cells
   Sizes sizes;
   for (const auto& [body, grid] : {std::pair{&s.lower, &s.plan.lower}, {&s.upper, &s.plan.upper}})
   {
@@ -244,7 +261,13 @@ Sizes sizes_of(const Situation& s)
         body->material.kinematic.empty() && s.pair.solver.integration == elastoplastic::Integration::path &&
         std::visit([]<typename Law>(const Law&) { return constitutive::is_linear<Law>; }, body->material.law());
     const double cells = unit * static_cast<double>(grid->size());
-    sizes.transforms += unit * transform(evaluated(s.pair, s.plan, grid->surface)) * grid->nz;
+    const EmbeddedCells& inclusions = s.plan.inclusions[grid == &s.plan.lower ? 0 : 1];
+    const bool is_whole = inclusions.cells > 0; // no windows
+    sizes.transforms +=
+        unit * transform(is_whole ? grid->surface : evaluated(s.pair, s.plan, grid->surface)) * grid->nz;
+    if (inclusions.cells > 0)
+      sizes.transforms +=
+          unit * transform(grid->surface) * inclusions.layers * of_iteration * iterations_of(inclusions);
     sizes.cells += cells;
     sizes.nonlinear_cells += is_linear ? 0.0 : cells;
     sizes.heated_layers += s.heats && body->material.thermal ? all : 0.0;
@@ -300,7 +323,10 @@ Workload workload(const PairCase& c, const Plan& plan, double half_width, const 
   const Certainty certainty = severity < begins_to_yield ? Certainty::elastic
                               : severity < is_deep       ? Certainty::yields
                                                          : Certainty::deep;
-  return {course.steps(), factors_of(situation, severity), amounts_of(situation, storage), certainty};
+  const bool has_inclusions = plan.inclusions[0].cells + plan.inclusions[1].cells > 0;
+  return {course.steps(), factors_of(situation, severity), amounts_of(situation, storage),
+          has_inclusions && certainty == Certainty::elastic ? Certainty::yields : certainty,
+          has_inclusions ? evaluations_with_inclusions : 1.0};
 }
 
 } // namespace brinell::simulation

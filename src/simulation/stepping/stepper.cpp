@@ -138,6 +138,11 @@ void Stepper::exchange(Archive& archive)
   archive("steps", steps_, 0, std::numeric_limits<int>::max() - 1);
   archive.list("grid_changes", grid_changes_);
   archive("coverage", coverage_);
+  if (has_inclusions())
+  {
+    archive("inclusion_iterations", inclusions_.iterations, 0, std::numeric_limits<long>::max());
+    archive("inclusion_residual", inclusions_.largest_residual);
+  }
 }
 
 int Stepper::advance(const std::function<Target(double)>& way, double finest, const std::string& where,
@@ -250,8 +255,10 @@ IncrementReport Stepper::solved(const Target& target, const elastoplastic::Strat
     const IncrementReport report =
         naming_extent([&] { return pair_->advance(distance_, target.drive, frame.placement, strategy, motion); });
     evaluations_ += report.evaluations;
+    inclusions_.iterations += report.inclusion_iterations;
     if (report.converged)
     {
+      inclusions_.largest_residual = std::max(inclusions_.largest_residual, report.inclusion_residual);
       centre_ = target.centre;
       time_ = target.time;
       slid_ = target.slid;

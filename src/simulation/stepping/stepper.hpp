@@ -114,6 +114,7 @@ public:
   void exchange(Archive& archive);
 
 private:
+  [[nodiscard]] bool has_inclusions() const { return !setup_.inclusions[0].empty() || !setup_.inclusions[1].empty(); }
   [[nodiscard]] int onset_increments(double from) const;
   void raise_friction(const Target& start, const contact::TangentialDrive& along, double from, int increments);
   void bisect(const std::function<Target(double)>& path, double begin, double end, double finest);
@@ -139,6 +140,7 @@ private:
   int evaluations_ = 0;
   int steps_ = 0; ///< number of finished steps
   int split_increments_ = 0;
+  InclusionTotals inclusions_{};
   double shear_work_ = 0.0;
   std::optional<double>
       shear_force_at_start_;       ///< none before the first piece of a step, and of surfaces that may stick

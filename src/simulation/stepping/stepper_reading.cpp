@@ -195,6 +195,8 @@ Stepper::Present Stepper::present(const Centre& centre)
 void Stepper::fill(RunTotals& totals) const
 {
   totals.split_increments = split_increments_;
+  if (has_inclusions())
+    totals.inclusions = inclusions_;
   if (const elastoplastic::Heating* heating = pair_->heating())
   {
     totals.most_held_cells = heating->most_held_cells();

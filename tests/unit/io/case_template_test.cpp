@@ -7,6 +7,7 @@
 #include "io/case/value_text.hpp"
 #include "sample.hpp"
 
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -99,13 +100,19 @@ TEST_P(CaseTemplate, EachCommentedKeyWorks)
   // Where the template has friction, thermal constants of the lower body need those of the upper one, and a pace.
   const std::vector<std::string> with_heat{
       "fretting.frequency=10", "upper.material.thermal={conductivity=50,density=7850,specific_heat=460,expansion=0}"};
+  // An inclusion of some micrometres is beneath smaller contacts, and smaller than a cell of larger ones.
+  const std::map<std::string, std::vector<std::string>> fitting{
+      {"tugging", {"lower.inclusion.depth=0.3 um", "lower.inclusion.size=0.3 um"}},
+      {"indentation", {"lower.inclusion.depth=100 um", "lower.inclusion.size=100 um"}}};
   int tried = 0;
   for (const KeyLine& key : keys)
     if (!key.in_use)
     {
       ++tried;
       const bool heats = GetParam() == "fretting" && key.key == "thermal";
-      const std::vector<std::string> further = heats ? with_heat : std::vector<std::string>{};
+      std::vector<std::string> further = heats ? with_heat : std::vector<std::string>{};
+      if (key.key == "inclusion" && fitting.contains(GetParam()))
+        further = fitting.at(GetParam());
       EXPECT_NO_THROW(static_cast<void>(parse_case(with_line(lines, keys, key), folder.path() / "case.toml", further)))
           << lines[key.index];
     }

@@ -52,6 +52,25 @@ TEST(Quality, CoarseContact)
   EXPECT_NE(quality::expected(c, plan(c)).warnings.at(0).text.find("no number"), std::string::npos);
 }
 
+// A ball of three cells per radius is judged coarse below that; six to the radius of a void make 4 %.
+TEST(Quality, CoarseInclusionsAreTold)
+{
+  RollingCase c = ball_on_flat();
+  c.distance = 1e-4;
+  const double cell = plan(c).contact.dy; // the largest size of a cell
+  InclusionShape ball{InclusionShape::Kind::ellipsoid, {0.0, 0.0, 5.0 * cell}, {}};
+  ball.semi_axes.fill(3.0 * cell);
+  c.lower.inclusions = {{{0.0, 0.3}, ball}};
+  EXPECT_EQ(before(c), Keys{});
+  ball.semi_axes.fill(2.4 * cell);
+  c.lower.inclusions.front().region = ball;
+  EXPECT_EQ(before(c), Keys{"coarse_inclusion"});
+  EXPECT_NE(quality::expected(c, plan(c)).warnings.at(0).text.find("wrong by about 10 %"), std::string::npos);
+  ball.centre[1] = 0.5 * plan(c).contact.ny * cell;
+  c.lower.inclusions.front().region = ball;
+  EXPECT_EQ(before(c), (Keys{"coarse_inclusion", "cut_inclusion"}));
+}
+
 TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)
 {
   RollingCase c = ball_on_flat();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs over inclusions: a ball that rolls over one, and what plans do with them.
 #include "brinell/foundation/error.hpp"
+#include "brinell/simulation/forecast.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace brinell::simulation::inclusion_run_test
@@ -51,11 +53,115 @@ TEST(InclusionRun, BodiesWithInclusionsAreSolvedWhole)
   EXPECT_FALSE(plan(over({100e9, 0.3})).contact.is_mirrored_y);
 }
 
-TEST(InclusionRun, RefusesInclusionsBeneathTheGrid)
+InclusionShape& ball(RollingCase& c)
 {
-  RollingCase c = over({100e9, 0.3});
-  std::get<InclusionShape>(c.lower.inclusions.front().region).centre[2] = 1e-3;
-  EXPECT_THROW((void)run(c), InputError);
+  return std::get<InclusionShape>(c.lower.inclusions.front().region);
+}
+
+void expect_refusal(const RollingCase& c, const std::string& part)
+{
+  try
+  {
+    (void)plan(c);
+    ADD_FAILURE() << "no error with " << part;
+  }
+  catch (const PlanError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+// Cells of some third of an axis: the number errs by those at the surface of the ellipsoid.
+TEST(InclusionRun, PlansCountTheCells)
+{
+  RollingCase c = over({390e9, 0.3});
+  const RollingPlan plan = simulation::plan(c);
+  const EmbeddedCells& found = plan.inclusions[0];
+  EXPECT_NEAR(static_cast<double>(found.cells) * plan.lower.cell_volume(), ball(c).volume(), 0.25 * ball(c).volume());
+  EXPECT_EQ(found.layers, static_cast<int>(std::ceil(17e-6 / plan.lower.dz - 0.5)));
+  EXPECT_NEAR(found.least, cells_per_axis(ball(c), plan.lower), 1e-12);
+  EXPECT_NEAR(found.stiffest, (210.0 - 390.0) / (210.0 + 390.0), 1e-12);
+  EXPECT_EQ(found.softest, 0.0);
+  EXPECT_EQ(plan.inclusions[1].cells, 0U);
+}
+
+TEST(InclusionRun, GridsReachDownToTheInclusions)
+{
+  RollingCase c = over({390e9, 0.3});
+  const RollingPlan before = plan(c);
+  const double depth = before.lower.nz * before.lower.dz;
+  ball(c).centre[2] = 2.0 * depth;
+  const RollingPlan deeper = plan(c);
+  EXPECT_NEAR(deeper.lower.nz * deeper.lower.dz, 2.0 * depth + ball(c).semi_axes[2], 1.01 * deeper.lower.dz);
+  EXPECT_GT(deeper.memory_bytes, before.memory_bytes);
+  ball(c).centre[2] = 4.0 * depth;
+  expect_refusal(c, "`lower.inclusion`: inclusion 1 reaches down to");
+}
+
+TEST(InclusionRun, PlansRefuseWhatHasNoPlace)
+{
+  RollingCase c = over({390e9, 0.3});
+  ball(c).centre[0] = 1e-3;
+  expect_refusal(c, "lies beside the grid");
+  c = over({390e9, 0.3});
+  ball(c).semi_axes[1] = 1e-7;
+  expect_refusal(c, "cells along its smallest size; allowed: at least 1");
+  c = over({390e9, 0.3});
+  c.lower.inclusions.push_back(c.lower.inclusions.front());
+  expect_refusal(c, "inclusions 1 and 2 overlap");
+  c = over({390e9, 0.3});
+  c.lower.inclusions.push_back(
+      {{0.0, 0.3}, InclusionCluster{{0.0, 0.0, 3e-4}, {1e-3, 1e-3, 1e-5}, 5e-6, 5e-6, 1, 0.0, 1}});
+  expect_refusal(c, "inclusion 2 reaches down");
+}
+
+TEST(InclusionRun, PlansRefuseWhatIsNotComputedTogether)
+{
+  RollingCase c = over({390e9, 0.3});
+  c.lower.material.hardening.reset();
+  expect_refusal(c, "a body with a hardening law");
+  c = over({390e9, 0.3});
+  c.lower.material.layers = {{5e-6, {400e9, 0.2}, {}}};
+  expect_refusal(c, "`lower.inclusion` and `lower.material.layers`");
+  c = over({390e9, 0.3});
+  c.slide_to_roll = 0.1;
+  c.friction.coefficient = 0.1;
+  c.wear.lower = 1e-18;
+  expect_refusal(c, "wear would bring inclusions nearer to the surface");
+  c = over({390e9, 0.3});
+  c.lower.material.thermal = c.upper.material.thermal = Thermal{50.0, 7850.0, 460.0, 1e-5};
+  c.slide_to_roll = 0.1;
+  c.friction.coefficient = 0.1;
+  c.speed = 1.0;
+  expect_refusal(c, "`lower.inclusion` in a body that is heated");
+}
+
+// What a run tells of the iteration: its residual is below the tolerance of 1e-6, and there are at least two evaluations a step.
+TEST(InclusionRun, SummariesTellTheIterations)
+{
+  const RollingSummary plain = run(over(steel.elastic)), stiff = run(over({390e9, 0.23}));
+  EXPECT_FALSE(plain.inclusions);
+  ASSERT_TRUE(stiff.inclusions);
+  EXPECT_GE(stiff.evaluations, 2L * stiff.steps);
+  EXPECT_GE(stiff.inclusions->iterations, stiff.steps);
+  EXPECT_GT(stiff.inclusions->largest_residual, 0.0);
+  EXPECT_LE(stiff.inclusions->largest_residual, 1e-6);
+}
+
+// Here some four iterations of a third of the body and twice as many evaluations.
+TEST(InclusionRun, ForecastsCountInclusions)
+{
+  const RollingCase with = over({390e9, 0.23}), without = over(steel.elastic);
+  const auto seconds = [](const RollingCase& c)
+  {
+    const RollingPlan p = plan(c);
+    Course course;
+    course.kind = RunKind::rolling;
+    course.loading = 2.0;
+    course.moving = p.steps;
+    return forecast(workload(c, p, p.half_width_x, course, {})).seconds;
+  };
+  EXPECT_GT(seconds(with), 2.0 * seconds(without));
 }
 
 } // namespace
