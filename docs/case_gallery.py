@@ -51,6 +51,7 @@ PICTURES: Mapping[str, Draw] = {
     "rolling-fatigue": lambda run: plot.fatigue_under_surface(run, run.fatigue()),
     "rolling-friction": plot.depth_profiles,
     "rolling-heat": _of_state(plot.section, field="temperature"),
+    "rolling-inclusion": _of_state(plot.section, "final", bodies="lower"),
     "rolling-passes": plot.pass_by_pass,
     "rolling-sliding": _LOADED,
     "rough-periodic": _of_state(plot.pressure_map),

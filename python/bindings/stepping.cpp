@@ -171,6 +171,7 @@ private:
     for (const auto& field : simulation::surface_fields(b))
       add(field.name, std::move(*field.values), {ny, nx});
     add("equivalent_plastic_strain", std::move(b.equivalent_plastic_strain), {nz, ny, nx});
+    add("inclusion", std::move(b.inclusion), {nz, ny, nx});
     add("plastic_strain", joined(b.plastic_strain), {6, nz, ny, nx});
     add("stress", joined(b.stress), {6, nz, ny, nx});
     return result;

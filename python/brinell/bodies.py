@@ -7,7 +7,7 @@ docs/reference/case-file.md explains them and lists the allowed values.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -65,6 +65,8 @@ class Body:
             topography of the package SurfaceTopography, or a list of them, which are summed; None: smooth.
         film: thickness of a film that conducts badly, a `brinell.HeightMap` of numbers >= 0; with the
             ``film_resistivity`` of `brinell.Interface`. None: no such film.
+        inclusion: inclusion of other elastic constants, or a list of them, each a dictionary with the keys of
+            ``lower.inclusion`` in the case file: ``{"type": "ellipsoid", "depth": "20 um", ...}``. None: none.
 
     Raises:
         InputError: shape, material, texture or film is of another type.
@@ -74,6 +76,7 @@ class Body:
     material: Part
     texture: Part | Sequence[Part] | Any | None = None
     film: HeightMap | Any | None = None
+    inclusion: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None
 
     def __post_init__(self) -> None:
         if isinstance(self.material, Shape) or hasattr(self.shape, "young_modulus"):
@@ -107,6 +110,10 @@ class Body:
     def to_case(self) -> dict[str, Any]:
         """The tables of the body in the case file, as nested dictionaries."""
         tables: dict[str, Any] = {"shape": self.shape.to_case(), "material": self.material.to_case()}
+        if isinstance(self.inclusion, Mapping):
+            tables["inclusion"] = dict(self.inclusion)
+        elif self.inclusion is not None:
+            tables["inclusion"] = [dict(one) for one in self.inclusion]
         if self.film is not None:
             tables["film"] = self.film.to_case()
         if self.texture is None:
@@ -116,5 +123,11 @@ class Body:
         return tables | {"texture": self.texture.to_case()}
 
     def parts(self) -> dict[str, Any]:
-        """Shape, material, texture and film as objects, so that a case passes the heights of a map on without text."""
-        return {"shape": self.shape, "material": self.material, "texture": self.texture, "film": self.film}
+        """Parts of the body as objects, so that a case passes the heights of a map on without text."""
+        return {
+            "shape": self.shape,
+            "material": self.material,
+            "texture": self.texture,
+            "film": self.film,
+            "inclusion": self.inclusion,
+        }

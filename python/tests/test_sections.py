@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from matplotlib.animation import FFMpegWriter
 
+import brinell
 from brinell import Case
 from brinell.errors import InputError
 from brinell.plot import (
@@ -329,3 +330,25 @@ def test_interfaces_of_coated_bodies_are_drawn(tmp_path: Path) -> None:
     np.testing.assert_allclose([line.get_ydata() for line in drawn], [[-1e-6 / contact_radius] * 2])
     marked = [line for line in stress_over_depth(run).axes[0].get_lines() if line.get_linestyle() == "--"]
     assert any(np.allclose(np.asarray(line.get_xdata()) * 1e-6, 1e-6) for line in marked)
+
+
+def test_outlines_of_inclusions_are_drawn(tmp_path: Path) -> None:
+    ball = {"type": "ellipsoid", "depth": "40 um", "size": "56 um", "content": "rigid"}
+    body = brinell.Body(
+        brinell.Flat(), brinell.Material("210 GPa", 0.3, brinell.Linear("1.7 GPa", "10 GPa")), inclusion=ball
+    )
+    roller = brinell.Body(brinell.Sphere("2 mm"), brinell.Material("210 GPa", 0.3))
+    run = brinell.Rolling(
+        body, roller, distance="60 um", load="28 N", load_steps=2, grid=brinell.Grid(resolution=6)
+    ).run(tmp_path / "run")
+    fields = run.snapshot("final").lower
+    inside = fields["inclusion"]
+    assert set(np.unique(inside)) == {0.0, 1.0}
+    cell = np.prod([axis[1] - axis[0] for axis in (fields.x, fields.y, fields.z)])
+    assert inside.sum() * cell == pytest.approx(np.pi / 6.0 * 56e-6**3, rel=0.25)
+    assert run.snapshot("final").upper.inclusion is None
+    figure = section(run, run.snapshot("final"), plane="y=0", bodies="lower")
+    outline = np.vstack([line for line in figure.axes[0].collections[0].get_paths()[0].to_polygons()])
+    radius = run.summary["critical"]["contact_radius_m"]
+    assert outline[:, 0].max() * radius == pytest.approx(28e-6, abs=0.6 * (fields.x[1] - fields.x[0]))
+    assert -outline[:, 1].min() * radius == pytest.approx(68e-6, abs=1.1 * (fields.z[1] - fields.z[0]))

@@ -123,7 +123,7 @@ TEST_F(Errors, SchemaNamesTheKeysWithAWord)
   expect_refused({"schema", "yield"}, {"lower.material.hardening.yield_stress, lower.material.hardening.yield_from, "
                                        "lower.material.hardening.yield_offset, "
                                        "lower.material.layers.hardening.yield_stress, lower.material.yield_profile, "
-                                       "solver."});
+                                       "lower.inclusion.yield_factor, solver."});
 }
 
 TEST_F(Errors, MissingFile)

@@ -72,6 +72,7 @@ enum class Scope
 struct Inclusion : halfspace::Inclusion
 {
   double yield_factor = 1.0; ///< on the yield stress of its cells, > 0
+  int number = 1;            ///< name in fields
 };
 
 /// How a body is computed.
@@ -224,6 +225,8 @@ public:
   /// The ranks that share the body.
   [[nodiscard]] const Communicator& ranks() const { return *parts_.ranks; }
   [[nodiscard]] bool has_inclusions() const { return !parts_.settings.inclusions.empty(); }
+  /// The number of the inclusion in each cell; 0: none.
+  [[nodiscard]] std::vector<double> inclusion_numbers() const;
   /// Iterations and residual of their equivalent strain in the last evaluation.
   [[nodiscard]] halfspace::Inclusions::Report inclusion_report() const;
   [[nodiscard]] const constitutive::Material& material() const { return parts_.yield.material; }

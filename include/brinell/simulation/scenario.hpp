@@ -245,6 +245,7 @@ struct BodySnapshot : elastoplastic::EffectFields
   /// [m]; empty without a texture.
   std::vector<double> height;
   std::vector<double> temperature; ///< [deg C]; empty without heat
+  std::vector<double> inclusion;   ///< number of the inclusion in a cell from 1, 0 for none; empty without inclusions
 };
 
 /// Fields of one step.
@@ -283,6 +284,7 @@ struct StepFields
   {
     std::function<LayeredFields()> equivalent_plastic_strain, temperature;
     std::function<LayeredFields()> plastic_strain, stress; ///< xx yy zz yz xz xy
+    std::function<LayeredFields()> inclusion;              ///< number from 1; 0: none
     /// The state of some cells. If the same ones are asked for after each step, they cost little.
     std::function<std::vector<CellState>(std::span<const std::size_t> cells)> cells;
     std::vector<std::function<LayeredFields()>> fatigue{}; ///< the first ones of `fatigue_fields`; empty: none

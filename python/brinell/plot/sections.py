@@ -29,6 +29,7 @@ from brinell.plot.cuts import (
     usual_quantities,
     window_of,
 )
+from brinell.plot.inclusions import draw_inclusions
 from brinell.plot.interfaces import draw_interfaces
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.quantities import quantity_of
@@ -74,7 +75,7 @@ def section(
     On a plane along y or x the lower body lies below, the upper one is mirrored above it; they share the line of
     contact. A rigid body in contact is a grey strip; a body with nothing to show is left out. On a plane z, at a
     depth of each body, there is a picture per body, with the outline of the contact. Interfaces
-    of coated bodies are dashed. While the bodies touch, x' is
+    of coated bodies and outlines of inclusions are dashed. While the bodies touch, x' is
     measured from the centre of contact, also that of the plane; afterwards each body keeps its own coordinate.
 
     Args:
@@ -139,6 +140,7 @@ def _upright(
     for ax, panel in zip(axes, panels, strict=True):
         draw_panel(ax, panel, window, length.size, interpolation)
         draw_interfaces(ax, run, panel.cuts, length.size)
+        draw_inclusions(ax, panel.cuts, plane, from_contact(snapshot), length.size)
         upright_axes(ax, snapshot, panel, window, length.size)
         if panel_height > to_scale:
             few_ticks(ax, panel_height)
@@ -168,6 +170,7 @@ def _level(
         for ax, name in zip(column, names, strict=True):
             cuts = [cut for cut in panel.cuts if cut.side.name == name]
             _draw_cuts(ax, panel, cuts, length.size, interpolation)
+            draw_inclusions(ax, cuts, plane, from_contact(snapshot), length.size)
             ax.set_xlim(*(edge / length.size for edge in window.across))
             ax.set_ylim(*(edge / length.size for edge in window.upward))
             _name_body(ax, name, 0.96, "top")

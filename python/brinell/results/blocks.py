@@ -74,6 +74,7 @@ _VOLUME = (
     "von_mises_stress",
     "equivalent_plastic_strain",
     "temperature",
+    "inclusion",
     *(f"{tensor}_{component}" for tensor in TENSORS for component in COMPONENTS),
 )
 

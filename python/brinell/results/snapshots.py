@@ -148,6 +148,9 @@ class BodyFields(FieldsOfBody):
     """(nz, ny, nx) von Mises stress of contact pressure and plastic strain together [Pa]; None if it is not stored."""
     temperature: FloatArray | None = None
     """(nz, ny, nx) temperature [deg C]; None if friction does not heat the body, or it is known at the surface only."""
+    inclusion: FloatArray | None = None
+    """(nz, ny, nx) number of the inclusion in a cell in the order of the case, 0: none; None without inclusions, or
+    if it is not stored."""
     height: FloatArray | None = None
     """(ny, nx) present height of the surface with its texture, positive out of the body [m]; None for a smooth rigid
     body, and in results of older versions."""
@@ -245,6 +248,7 @@ _SCALARS = (
     "equivalent_plastic_strain",
     "von_mises_stress",
     "temperature",
+    "inclusion",
 )
 """Scalar fields of a body."""
 
@@ -336,6 +340,7 @@ def _body(group: h5py.Group, read_component: Callable[[str, str], FloatArray]) -
         von_mises_stress=von_mises,
         **of_effects,
         temperature=read("temperature"),
+        inclusion=read("inclusion"),
         height=height,
         plastic_strain=components("plastic_strain"),
         stress=components("stress"),

@@ -241,6 +241,15 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
   recover_guess(b);
 }
 
+std::vector<double> Body::inclusion_numbers() const
+{
+  std::vector<double> numbers(parts_.grid.size(), 0.0);
+  for (const Inclusion& inclusion : parts_.settings.inclusions)
+    for (const std::size_t cell : inclusion.cells)
+      numbers[cell] = inclusion.number;
+  return numbers;
+}
+
 halfspace::Inclusions::Report Body::inclusion_report() const
 {
   return parts_.evaluation->inclusion_report();

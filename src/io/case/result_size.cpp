@@ -83,6 +83,7 @@ double numbers_of_body(const simulation::ShapedBody& body, const VolumeGrid& gri
                                  : chosen("stress", 6.0) + chosen("von_mises_stress", 1.0) +
                                        chosen("plastic_strain", 6.0) + chosen("equivalent_plastic_strain", 1.0) +
                                        (acting.has("heat") ? chosen("temperature", 1.0) : 0.0) +
+                                       (body.inclusions.empty() ? 0.0 : chosen("inclusion", 1.0)) +
                                        (body.fatigue ? chosen("fatigue", simulation::fatigue_fields.size()) : 0.0);
   return number_of(simulation::surface_fields(none), acting, words) * static_cast<double>(stored.surface.size()) +
          within * static_cast<double>(stored.size());
@@ -125,7 +126,7 @@ double bytes_of(const Case& c, const ScenarioPlan& plan, const StoredParts& part
 std::vector<StoredParts> candidates(const OutputChoice& choice, const simulation::Plan& plan)
 {
   const Words all{"all"}, surface{"surface"},
-      scalars{"surface", "von_mises_stress", "equivalent_plastic_strain", "temperature", "fatigue"};
+      scalars{"surface", "von_mises_stress", "equivalent_plastic_strain", "temperature", "fatigue", "inclusion"};
   std::vector<std::pair<Words, Words>> in_steps_and_final{
       {all, all}, {scalars, all}, {surface, all}, {surface, scalars}, {surface, surface}};
   if (plan.surfaces_only)

@@ -36,7 +36,7 @@ std::string_view word_of(std::string_view name)
 }
 
 constexpr std::array fields_within{"stress",      "von_mises_stress", "plastic_strain", "equivalent_plastic_strain",
-                                   "temperature", "fatigue"};
+                                   "temperature", "fatigue",          "inclusion"};
 
 bool is_within(std::string_view field)
 {
@@ -120,7 +120,8 @@ void cut(BodySnapshot& body, StepFields::Within& within, const StoredCells& cell
     if (field)
       field = [taken, whole = field] { return whole().selected(taken.z, taken.y, taken.x); };
   };
-  for (auto* field : {&within.equivalent_plastic_strain, &within.temperature, &within.plastic_strain, &within.stress})
+  for (auto* field : {&within.equivalent_plastic_strain, &within.temperature, &within.plastic_strain, &within.stress,
+                      &within.inclusion})
     cut_field(*field);
   for (auto& field : within.fatigue)
     cut_field(field);
@@ -161,6 +162,7 @@ void choose(BodySnapshot& body, StepFields::Within& within, const std::vector<st
   drop("temperature", within.temperature);
   drop("plastic_strain", within.plastic_strain);
   drop("fatigue", within.fatigue);
+  drop("inclusion", within.inclusion);
   within.keeps_stress = keeps("stress");
   within.keeps_von_mises = keeps("von_mises_stress");
   if (!within.keeps_stress && !within.keeps_von_mises)

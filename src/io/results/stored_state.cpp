@@ -60,6 +60,8 @@ void for_fields_within(const StepFields::Within& within, const UseStored& use)
   if (within.equivalent_plastic_strain)
     use({"equivalent_plastic_strain", within.equivalent_plastic_strain(), "1", "accumulated equivalent plastic strain",
          deflated});
+  if (within.inclusion)
+    use({"inclusion", within.inclusion(), "1", "number of the inclusion in the order of the case, 0: none", deflated});
   if (within.temperature)
     use({"temperature", within.temperature(), "degC", "temperature", deflated});
   if (within.plastic_strain)

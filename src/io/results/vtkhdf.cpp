@@ -205,6 +205,7 @@ void write_volume(Block block, Body which, const BodyLayout& body, double up)
   add("von_mises_stress", Block::Kind::of_volume, &BodyLayout::has_von_mises, unknown);
   add("stress", Block::Kind::tensor, &BodyLayout::has_stress, unknown);
   add("temperature", Block::Kind::of_volume, &BodyLayout::has_temperature, unknown);
+  add("inclusion", Block::Kind::of_volume, &BodyLayout::has_inclusion, 0.0);
   for (int n = 0; n < body.fatigue; ++n)
     block.add_field(simulation::fatigue_fields[static_cast<std::size_t>(n)].name.data(), Block::Kind::of_volume, which,
                     unknown, [n](const BodyLayout& layout) { return n < layout.fatigue; });
@@ -283,6 +284,7 @@ BodyLayout layout_of(const simulation::BodySnapshot& body, const simulation::Ste
           .has_stress = within.stress && within.keeps_stress,
           .has_von_mises = within.stress && within.keeps_von_mises,
           .has_temperature = static_cast<bool>(within.temperature),
+          .has_inclusion = static_cast<bool>(within.inclusion),
           .fatigue = static_cast<int>(within.fatigue.size())};
 }
 
@@ -305,6 +307,7 @@ void BodyLayout::exchange(Archive& archive)
   archive("has_stress", has_stress);
   archive("has_von_mises", has_von_mises);
   archive("has_temperature", has_temperature);
+  archive("has_inclusion", has_inclusion);
   archive("fatigue", fatigue, 0, static_cast<int>(simulation::fatigue_fields.size()));
 }
 

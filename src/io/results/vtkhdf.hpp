@@ -22,7 +22,7 @@ struct BodyLayout
   double top = 0.0;          ///< depth of the upper side of layer 0 [m]
   FieldsThere<simulation::BodySnapshot> surface;
   bool has_equivalent = false, has_plastic_strain = false, has_stress = false, has_von_mises = false,
-       has_temperature = false;
+       has_temperature = false, has_inclusion = false;
   int fatigue = 0; ///< number of `simulation::fatigue_fields` that exist, from the first one
 
   void exchange(Archive& archive);

@@ -67,6 +67,9 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
   if (temperature)
     temperature_field = [body, temperature = std::move(temperature)]
     { return LayeredFields(body.grid(), {temperature()}); };
+  std::function<LayeredFields()> inclusion;
+  if (body.solved().has_inclusions())
+    inclusion = [body] { return body.solved().layered({body.solved().inclusion_numbers()}); };
   return {.equivalent_plastic_strain = [body] { return body.solved().layered({body.field(&BodyState::equivalent)}); },
           .temperature = std::move(temperature_field),
           .plastic_strain =
@@ -81,6 +84,7 @@ StepFields::Within fields_within(const elastoplastic::BodyView& body,
             const elastoplastic::CoupledContact::Stress found = stress();
             return body.solved().layered(six_fields(found.deviator, found.trace));
           },
+          .inclusion = std::move(inclusion),
           .cells = [states = std::move(states)](std::span<const std::size_t> cells)
           { return whole_tensors(states(cells)); }};
 }
@@ -111,6 +115,8 @@ Snapshot StepFields::whole() const
       body->stress = tensor(within->stress());
     if (within->temperature)
       body->temperature = within->temperature().whole();
+    if (within->inclusion)
+      body->inclusion = within->inclusion().whole();
   }
   return s;
 }

@@ -219,7 +219,8 @@ std::vector<elastoplastic::Inclusion> in_cells(const std::vector<BodyInclusion>&
     }
     if (!cells.empty())
       result.push_back({{inclusion.elastic, std::move(cells), inclusion.own},
-                        inclusion.elastic.is_rigid() ? unyielding : inclusion.yield_factor});
+                        inclusion.elastic.is_rigid() ? unyielding : inclusion.yield_factor,
+                        static_cast<int>(number) + 1});
   }
   return result;
 }
