@@ -2,8 +2,9 @@
 #pragma once
 
 #include "brinell/elastoplastic/interface.hpp"
-#include "brinell/halfspace/surface_compliance.hpp"
+#include "brinell/green/elastic_stack.hpp"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,6 +13,8 @@
 namespace brinell::elastoplastic
 {
 
+class ShearedSurfaces;
+
 /// The shear along x between two surfaces that slide wherever they touch, with its displacements and its work. The shear is
 /// positive where the upper body slides towards +x.
 class SlidingInterface final : public Interface
@@ -19,8 +22,11 @@ class SlidingInterface final : public Interface
 public:
   /// @param direction  +1 where the upper body slides towards +x over the lower one, -1 the other way
   /// @param reference  reference distance of the displacement with one periodic axis, see halfspace::SurfaceCompliance [m]
-  SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper, const Friction& friction,
-                   int direction, double reference);
+  SlidingInterface(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper,
+                   const Friction& friction, int direction, double reference);
+  ~SlidingInterface() override;
+  SlidingInterface(const SlidingInterface&) = delete;
+  SlidingInterface& operator=(const SlidingInterface&) = delete;
 
   [[nodiscard]] std::array<double, 2> direction(const contact::TangentialDrive& along) const override;
   void begin(Start start) override;
@@ -67,8 +73,8 @@ private:
   struct State
   {
     std::vector<double> shear; ///< [Pa]
-    /// Normal displacement under the shear of a body with unit coupling weight, positive into the body [m].
-    std::vector<double> depth;
+    /// Normal displacement under the shear, positive into the body [m]: sum of both bodies, and that of the lower one.
+    std::vector<double> depth, lower_depth;
     std::vector<double> slip; ///< displacement along x, lower minus upper surface [m]
     /// Shear times the slope of the displacement along x, for each body [Pa].
     std::vector<double> lower_stretch, upper_stretch;
@@ -82,6 +88,7 @@ private:
       using S = State;
       return std::tuple{listed(&S::shear, {"shear"}),
                         listed(&S::depth, {"depth"}, {.is_derived = true}),
+                        listed(&S::lower_depth, {"lower_depth"}, {.is_derived = true}),
                         listed(&S::slip, {"slip"}, {.is_derived = true}),
                         listed(&S::lower_stretch, {"lower_stretch"}, {.is_derived = true}),
                         listed(&S::upper_stretch, {"upper_stretch"}, {.is_derived = true}),
@@ -95,14 +102,8 @@ private:
   Change set_shear(std::span<const double> pressure);
   void find_displacements(const Bodies& bodies);
 
-  halfspace::SurfaceCompliance pair_; ///< of both bodies
-  halfspace::SurfaceCompliance unit_; ///< of a body with unit coupling weight
-  /// Of the lower body, if it is not a share of `pair_`.
-  std::optional<halfspace::SurfaceCompliance> lower_alone_;
-  double lower_share_ = 0.0; ///< of the lower body in the displacement of the pair along x under shear
+  std::unique_ptr<const ShearedSurfaces> surfaces_;
   int direction_;
-  /// (1 - 2 nu)/(2 mu) [1/Pa]: couples pressure to displacement along x, and shear to displacement along z.
-  double lower_weight_, upper_weight_;
   bool slides_ = false, is_held_ = false;
   std::optional<double> share_at_rest_; ///< Motion::share_at_rest
   std::vector<double> limit_, shear_at_start_;

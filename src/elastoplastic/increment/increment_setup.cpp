@@ -35,9 +35,7 @@ std::unique_ptr<Interface> make_interface(const SurfaceGrid& contact, const cons
 {
   if (sliding.sticks && sliding.friction.coefficient > 0.0)
     return std::make_unique<PartialSlip>(contact, lower.stack(), upper.stack(), sliding.friction, reference);
-  if (!lower.layers.empty() || !upper.layers.empty())
-    throw InternalError("CoupledContact: layered surfaces that slide all over are not computed");
-  return std::make_unique<SlidingInterface>(contact, lower.elastic, upper.elastic, sliding.friction, sliding.direction,
+  return std::make_unique<SlidingInterface>(contact, lower.stack(), upper.stack(), sliding.friction, sliding.direction,
                                             reference);
 }
 

@@ -3,8 +3,8 @@
 
 #include "brinell/elastoplastic/placement.hpp"
 #include "brinell/foundation/embedding.hpp"
-#include "brinell/foundation/symmetry.hpp"
 #include "foundation/sharing.hpp"
+#include "sheared_surfaces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +15,6 @@ namespace brinell::elastoplastic
 
 namespace
 {
-
-constexpr Elastic unit_body{1.0, 0.0};
-constexpr Elastic rigid_body{std::numeric_limits<double>::infinity(), 0.0};
-
-/// Coupling weight (1 - 2 nu)/(2 mu) [1/Pa]; it is 1 for the unit body.
-double coupling_weight(const Elastic& elastic)
-{
-  return elastic.is_rigid() ? 0.0 : (1.0 - 2.0 * elastic.poisson_ratio) / (2.0 * elastic.shear_modulus());
-}
 
 /// Shear times the slope along x of a displacement, by central differences [Pa].
 std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> shear,
@@ -46,18 +37,6 @@ std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> she
   return result;
 }
 
-/// Displacement along z or x by a load of pressure and shear along x; on a mirrored grid one side of the fields, which are even,
-/// and then the other.
-void displace(const halfspace::SurfaceCompliance& compliance, const halfspace::SurfaceLoad& load,
-              const halfspace::SurfaceDisplacement& out)
-{
-  compliance.apply(load, out);
-  const SurfaceGrid& grid = compliance.grid();
-  for (const std::span<double>& field : {out.z, out.x})
-    if (grid.is_mirrored_y && !field.empty())
-      complete_in_y(grid, 1.0, field.data(), field.size());
-}
-
 /// to + factor * field.
 void add(double factor, std::span<const double> field, std::span<double> to)
 {
@@ -67,25 +46,18 @@ void add(double factor, std::span<const double> field, std::span<double> to)
 
 } // namespace
 
-SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const Elastic& lower, const Elastic& upper,
+SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper,
                                    const Friction& friction, int direction, double reference)
-    : Interface(friction), pair_(grid, lower, upper, reference), unit_(grid, unit_body, rigid_body, reference),
-      direction_(direction), lower_weight_(coupling_weight(lower)), upper_weight_(coupling_weight(upper)),
-      limit_(grid.size(), std::numeric_limits<double>::infinity())
+    : Interface(friction),
+      surfaces_(std::make_unique<const ShearedSurfaces>(grid, lower, upper, friction.coupling, reference)),
+      direction_(direction), limit_(grid.size(), std::numeric_limits<double>::infinity())
 {
-  // Without coupling both bodies get the mean of their weights: the gap does not change, and the energy balance still holds.
-  if (!friction.coupling)
-    lower_weight_ = upper_weight_ = 0.5 * (lower_weight_ + upper_weight_);
-  if (lower == upper)
-    lower_share_ = 0.5;
-  else if (upper.is_rigid())
-    lower_share_ = 1.0;
-  else if (!lower.is_rigid())
-    lower_alone_.emplace(grid, lower, rigid_body, reference);
   assign_fields(state_, grid.size());
   for (std::vector<double>* field : {&work_per_area_, &shear_at_start_})
     field->assign(grid.size(), 0.0);
 }
+
+SlidingInterface::~SlidingInterface() = default;
 
 std::array<double, 2> SlidingInterface::direction(const contact::TangentialDrive& along) const
 {
@@ -101,7 +73,7 @@ void SlidingInterface::begin(Start start)
   is_held_ = start.holds_law;
   share_at_rest_ = start.share_at_rest;
   if (!slides_)
-    for (std::vector<double>* field : {&state_.shear, &state_.depth})
+    for (std::vector<double>* field : {&state_.shear, &state_.depth, &state_.lower_depth})
       std::fill(field->begin(), field->end(), 0.0);
   limit_ = std::move(start.limit);
   set_shear_at_start(start.bodies.pressure);
@@ -144,44 +116,31 @@ SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pre
     state_.shear[i] = shear;
   }
   state_.limited_share = pressed > 0 ? static_cast<double>(limited) / static_cast<double>(pressed) : 0.0;
-  if (lower_weight_ == upper_weight_) // shear does not change the gap
+  if (!surfaces_->changes_gap())
     return change;
   const std::vector<double> before = state_.depth;
-  displace(unit_, {.shear_x = state_.shear}, {.z = state_.depth});
-  const double weight = std::abs(lower_weight_ - upper_weight_);
+  surfaces_->find_depth(state_.shear, state_.depth);
   for (std::size_t i = 0; i < before.size(); ++i)
-    change.gap = larger(change.gap, weight * std::abs(state_.depth[i] - before[i]));
+    change.gap = larger(change.gap, std::abs(state_.depth[i] - before[i]));
   return change;
 }
 
 void SlidingInterface::add_to_gap(std::span<double> gap) const
 {
-  if (lower_weight_ != upper_weight_)
-    add(lower_weight_ - upper_weight_, state_.depth, gap);
+  if (surfaces_->changes_gap())
+    add(1.0, state_.depth, gap);
 }
 
-/// Pressure displaces both surfaces in the same direction along x, in proportion to their weights; shear displaces them in
-/// opposite directions. The work of the shear on its own stretch vanishes in sum, because the displacement along x is even in the
-/// distance from the load, but it moves heat from the front of a contact to its rear.
+/// The work of the shear on its own stretch vanishes in sum, because the displacement along x is even in the distance from the
+/// load, but it moves heat from the front of a contact to its rear.
 void SlidingInterface::find_displacements(const Bodies& bodies)
 {
-  const SurfaceGrid& grid = pair_.grid();
-  std::vector<double> unit_displacement(grid.size());
-  displace(unit_, {.pressure = bodies.pressure}, {.x = unit_displacement});
-  displace(unit_, {.shear_x = state_.shear}, {.z = state_.depth});
-  displace(pair_, {.shear_x = state_.shear}, {.x = state_.slip});
+  const SurfaceGrid& grid = surfaces_->grid();
+  surfaces_->find_depth(state_.shear, state_.depth);
+  surfaces_->find_lower_depth(state_.shear, state_.depth, state_.lower_depth);
   std::vector<double> lower(bodies.lower_x.begin(), bodies.lower_x.end());
   std::vector<double> upper(bodies.upper_x.begin(), bodies.upper_x.end());
-  add(lower_weight_, unit_displacement, lower);
-  add(upper_weight_, unit_displacement, upper);
-  std::vector<double> lower_by_shear = state_.slip;
-  if (lower_alone_)
-    displace(*lower_alone_, {.shear_x = state_.shear}, {.x = lower_by_shear});
-  else
-    std::for_each(lower_by_shear.begin(), lower_by_shear.end(), [this](double& u) { u *= lower_share_; });
-  add(1.0, lower_by_shear, lower);
-  add(1.0, lower_by_shear, upper);
-  add(-1.0, state_.slip, upper);
+  surfaces_->add_along(bodies.pressure, state_.shear, lower, upper);
   for (std::size_t i = 0; i < grid.size(); ++i)
     state_.slip[i] = lower[i] - upper[i];
   state_.lower_stretch = stretch(grid, state_.shear, lower);
@@ -195,7 +154,7 @@ void SlidingInterface::find_displacements(const Bodies& bodies)
 /// heat of the next one.
 void SlidingInterface::settle(const Bodies& bodies)
 {
-  const SurfaceGrid& grid = pair_.grid();
+  const SurfaceGrid& grid = surfaces_->grid();
   find_displacements(bodies);
   const double along_lower = bodies.lower_columns * grid.dx, along_upper = bodies.upper_columns * grid.dx;
   for (std::size_t i = 0; i < grid.size(); ++i)
@@ -236,26 +195,28 @@ std::vector<double> SlidingInterface::heat_of_increment(double slid) const
 
 void SlidingInterface::add_depth(std::span<double> lower, std::span<double> upper) const
 {
-  add(lower_weight_, state_.depth, lower);
-  add(-upper_weight_, state_.depth, upper);
+  add(1.0, state_.lower_depth, lower);
+  add(1.0, state_.depth, upper);
+  add(-1.0, state_.lower_depth, upper);
 }
 
 double SlidingInterface::elastic_energy(std::span<const double> pressure) const
 {
+  const SurfaceGrid& grid = surfaces_->grid();
   std::vector<double> along(state_.shear.size());
-  pair_.apply({.shear_x = state_.shear}, {.x = along});
-  const double coupling = (lower_weight_ - upper_weight_) * dot(pressure, state_.depth);
-  return (coupling + 0.5 * dot(pair_.grid(), state_.shear, along)) * pair_.grid().cell_area();
+  surfaces_->pair().apply({.shear_x = state_.shear}, {.x = along});
+  const double coupling = surfaces_->changes_gap() ? dot(pressure, state_.depth) : 0.0;
+  return (coupling + 0.5 * dot(grid, state_.shear, along)) * grid.cell_area();
 }
 
 std::array<double, 2> SlidingInterface::forces() const
 {
-  return {sum(state_.shear) * pair_.grid().cell_area(), 0.0};
+  return {sum(state_.shear) * surfaces_->grid().cell_area(), 0.0};
 }
 
 double SlidingInterface::force_at_start() const
 {
-  return sum(shear_at_start_) * pair_.grid().cell_area();
+  return sum(shear_at_start_) * surfaces_->grid().cell_area();
 }
 
 double SlidingInterface::share_of(const contact::TangentialDrive& along) const
@@ -267,7 +228,7 @@ double SlidingInterface::share_of(const contact::TangentialDrive& along) const
 void SlidingInterface::embed(const Interface& smaller)
 {
   const auto& other = dynamic_cast<const SlidingInterface&>(smaller);
-  embed_state(other.pair_.grid(), other.state_, pair_.grid(), state_);
+  embed_state(other.surfaces_->grid(), other.state_, surfaces_->grid(), state_);
 }
 
 } // namespace brinell::elastoplastic

@@ -19,7 +19,7 @@ namespace
 {
 
 /// Layers need cells that end at the interfaces where plastic strain may be, and are not computed with everything.
-void check_layers(const PairCase& c, bool sticks, const Plan& plan)
+void check_layers(const PairCase& c, const Plan& plan)
 {
   for (const auto& [name, body, grid] :
        {std::tuple{"lower", &c.lower, &plan.lower}, std::tuple{"upper", &c.upper, &plan.upper}})
@@ -27,10 +27,6 @@ void check_layers(const PairCase& c, bool sticks, const Plan& plan)
     if (body->material.layers.empty())
       continue;
     const std::string layers = member_of(name, "material.layers");
-    if (c.friction.coefficient > 0.0 && !sticks)
-      throw PlanError("`Friction::coefficient` = {:g} and {}: sliding with friction is computed for homogeneous bodies "
-                      "only; allowed: no friction, surfaces that may stick, or no layers",
-                      c.friction.coefficient, layers);
     if (body->fatigue)
       throw PlanError("{} and {}: fatigue is computed for homogeneous bodies only; allowed: one of them", layers,
                       member_of(name, "fatigue"));
@@ -63,7 +59,7 @@ void check_grids(const PairCase& c, Plan& plan)
 void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<halfspace::HeatTimes()>& heat_times,
               const std::array<double, 2>& beside)
 {
-  check_layers(c, sticks, plan);
+  check_layers(c, plan);
   plan.inclusions = embedded_cells(c, plan, beside);
   const bool heats = is_heated(c);
   if (heats)

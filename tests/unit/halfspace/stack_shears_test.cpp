@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pressure and shears on layered bodies -> displacement of the surface and stress.
+#include "halfspace/traction/stack_cells.hpp"
 #include "halfspace/traction/stack_shears.hpp"
 
 #include "brinell/halfspace/half_space.hpp"
@@ -227,6 +228,61 @@ TEST(StackShears, ExcessOfACellIsTheLayeredIntegral)
         }
       for (std::size_t t = 0; t < excess::count; ++t) // the rule of the test in the cell
         EXPECT_NEAR(found.at(i, j)[t], expected[t], 2e-5 * scale) << cell << " term " << t << " at " << i << ' ' << j;
+    }
+  }
+}
+
+/// Shear stress xz at a point under a unit shear along x at the origin, less that of a homogeneous body, as the mean over a layer.
+double sheared_point(const ElasticStack& stack, double from, double to, double x, double y)
+{
+  const double r = std::hypot(x, y), end = 18.0 / stack.layers.front().thickness;
+  const double twice = r > 0.0 ? (x * x - y * y) / (r * r) : 0.0;
+  const std::size_t at = stack.layer_at(0.5 * (from + to));
+  const ElasticStack alone{{}, {1.0, stack.of_layer(at).poisson_ratio}};
+  const int panels = 20 + static_cast<int>(end * r / pi);
+  double sum = 0.0;
+  for (int p = 0; p < panels; ++p)
+  {
+    const test::Gauss rule(12, end * p / panels, end * (p + 1) / panels);
+    for (std::size_t g = 0; g < rule.point.size(); ++g)
+    {
+      const double k = rule.point[g];
+      const green::StackWave wave(stack, k), other(alone, k);
+      const auto excess = [&](green::WaveLoad load)
+      {
+        const green::WaveStress a = wave.mean_stress(load, wave.field_of(load), at, from, to),
+                                b = other.mean_stress(load, other.field_of(load), 0, from, to);
+        return load == green::WaveLoad::along ? a.lz - b.lz : a.tz - b.tz;
+      };
+      const double lz = excess(green::WaveLoad::along), tz = excess(green::WaveLoad::across);
+      sum += rule.weight[g] * k *
+             (0.5 * (lz + tz) * std::cyl_bessel_j(0, k * r) - 0.5 * (lz - tz) * twice * std::cyl_bessel_j(2, k * r));
+    }
+  }
+  return sum / (2.0 * pi);
+}
+
+TEST(StackShears, StressOfACellIsTheLayeredIntegral)
+{
+  const VolumeGrid grid{{16, 16, 0.5, 0.5}, 4, 0.5};
+  for (const ElasticStack& stack : {soft_on_hard, hard_on_soft})
+  {
+    const ExcessStress excess(grid, stack, Traction::shear_x);
+    for (const int layer : {0, 1, 2})
+    {
+      const Quadrant<SymTensor> found = excess.of_layer(layer);
+      for (const auto& [i, j] : {std::pair{0, 0}, {2, 1}, {1, 3}, {9, 4}})
+      {
+        double expected = 0.0;
+        const test::Gauss along(4, -0.5, 0.5);
+        for (std::size_t a = 0; a < along.point.size(); ++a)
+          for (std::size_t b = 0; b < along.point.size(); ++b)
+            expected += along.weight[a] * along.weight[b] * 0.25 *
+                        sheared_point(stack, layer * grid.dz, (layer + 1) * grid.dz, (i - along.point[a]) * 0.5,
+                                      (j - along.point[b]) * 0.5);
+        // The stress that a unit shear causes on the surface itself is -1; as for the pressure.
+        EXPECT_NEAR(found.at(i, j)[4], expected, 1e-4) << "layer " << layer << " at " << i << ' ' << j;
+      }
     }
   }
 }

@@ -56,6 +56,12 @@ TEST(LayersCase, TheResolvedCaseGivesThemBack)
   EXPECT_EQ(sample::tugging(again).lower.material, sample::tugging(c).lower.material);
 }
 
+TEST(LayersCase, CoatedBodiesMaySlideWithFriction)
+{
+  const Case c = sample::parsed({layers(std::string("[") + hard + "]"), "interface.friction=0.1"});
+  EXPECT_EQ(sample::tugging(c).friction.coefficient, 0.1);
+}
+
 TEST(LayersCase, ErrorsNameTheLayer)
 {
   expect_message({layers(R"([{thickness="1.925 mm", poisson_ratio=0.2}])")},
@@ -67,7 +73,6 @@ TEST(LayersCase, ErrorsNameTheLayer)
   expect_message({layers(std::string("[") + hard + "]"),
                   R"(lower.material.hardening={law="perfect", yield_stress=1e9, back_stresses=[{modulus=1e9}]})"},
                  "back_stresses does not go with lower.material.layers");
-  expect_message({layers(std::string("[") + hard + "]"), "interface.friction=0.1"}, "homogeneous bodies");
   expect_message({R"(grid.spacing=["3.85 mm", "7.7 mm", "1 mm"])",
                   layers(R"([{thickness="1 mm", young_modulus=4e11, poisson_ratio=0.2}])")},
                  "lower.material.layers: the first layer is 0.001 m thick on cells of 0.0077 m");
