@@ -34,6 +34,7 @@ _RESIDUAL = _of_state(plot.residual_surfaces, "final")
 PICTURES: Mapping[str, Draw] = {
     "flash-temperature": _of_state(plot.surface_temperature_maps),
     "electrical-ball": plot.contact_resistance,
+    "connector-plated": plot.contact_resistance,
     "electrical-connector": _of_state(plot.current_density_map),
     "electrical-fretting": plot.resistance_course,
     "electrical-rolling": _of_state(plot.current_density_map),

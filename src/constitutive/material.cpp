@@ -65,4 +65,13 @@ ElasticStack Material::stack() const
   return stack;
 }
 
+ConductiveStack Material::conductors() const
+{
+  ConductiveStack stack{{}, electrical->resistivity_at(temperature)};
+  stack.layers.reserve(layers.size());
+  for (const Coat& layer : layers)
+    stack.layers.push_back({layer.thickness, layer.electrical->resistivity_at(temperature)});
+  return stack;
+}
+
 } // namespace brinell::constitutive

@@ -96,8 +96,9 @@ std::vector<double> Flow::whole_density(double cell_area) const
   return whole;
 }
 
-Constriction::Constriction(const halfspace::SurfaceCompliance& compliance, double modulus)
-    : compliance_(compliance), scratch_(compliance.make_scratch()), modulus_(modulus), punch_(compliance)
+Constriction::Constriction(const halfspace::SurfaceCompliance& compliance, double modulus, double modulus_of_contact)
+    : compliance_(compliance), scratch_(compliance.make_scratch()), modulus_(modulus),
+      modulus_of_contact_(modulus_of_contact), punch_(compliance)
 {
 }
 
@@ -120,7 +121,7 @@ Flow Constriction::flow(const Contact& contact, double spreading, std::span<cons
   if (!film.empty())
     require_size("Constriction::flow: the film", film, grid.size());
   Flow flow;
-  flow.patches = patches(grid, contact.pressure, contact.gap, modulus_);
+  flow.patches = patches(grid, contact.pressure, contact.gap, modulus_of_contact_);
   if (flow.patches.area.empty())
     return flow;
   const bool is_full = std::all_of(contact.pressure.begin(), contact.pressure.end(), [](double p) { return p > 0.0; });

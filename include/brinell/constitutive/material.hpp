@@ -5,6 +5,7 @@
 #include "brinell/constitutive/hardening.hpp"
 #include "brinell/constitutive/kinematic.hpp"
 #include "brinell/constitutive/softening.hpp"
+#include "brinell/green/conductive_stack.hpp"
 #include "brinell/green/elastic_stack.hpp"
 #include "brinell/green/thermal.hpp"
 
@@ -21,6 +22,12 @@ struct Electrical
 {
   double resistivity = 0.0;             ///< at 20 deg C [ohm m], > 0
   double temperature_coefficient = 0.0; ///< of the resistivity, of that at 20 deg C [1/K], >= 0
+
+  /// @param t  [deg C]
+  [[nodiscard]] double resistivity_at(double t) const ///< [ohm m]
+  {
+    return resistivity * (1.0 + temperature_coefficient * (t - 20.0));
+  }
   bool operator==(const Electrical&) const = default;
 };
 
@@ -30,6 +37,7 @@ struct Coat
   double thickness = 0.0; ///< [m], > 0
   Elastic elastic;
   std::optional<HardeningLaw> hardening{}; ///< empty: the layer stays elastic
+  std::optional<Electrical> electrical{};  ///< of the layers of a body that conducts
   bool operator==(const Coat&) const = default;
 };
 
@@ -45,7 +53,7 @@ struct Material
   double temperature = 20.0;        ///< of the bulk [deg C]
   std::optional<Electrical> electrical{};  ///< empty: the body insulates
   std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
-  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening, heat and current.
+  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening and heat.
   std::vector<Coat> layers{};
 
   [[nodiscard]] bool is_plastic() const;
@@ -57,6 +65,8 @@ struct Material
   /// Laws of the layers and, last, of the substrate.
   [[nodiscard]] std::vector<std::optional<HardeningLaw>> laws() const;
   [[nodiscard]] ElasticStack stack() const;
+  /// Resistivities at the temperature of the bulk; the material and its layers must conduct.
+  [[nodiscard]] ConductiveStack conductors() const;
   /// The constants, among those of the substrate and the layers, with the largest contact compliance.
   [[nodiscard]] const Elastic& softest() const;
   bool operator==(const Material&) const = default;

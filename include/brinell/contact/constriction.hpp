@@ -34,7 +34,18 @@ class Constriction
 public:
   /// @param compliance  must outlive this object
   /// @param modulus     with which it was made [Pa]
-  Constriction(const halfspace::SurfaceCompliance& compliance, double modulus);
+  Constriction(const halfspace::SurfaceCompliance& compliance, double modulus)
+      : Constriction(compliance, modulus, modulus)
+  {
+  }
+  /// Of layered bodies, whose potential is not that of a displacement.
+  /// @param conductors  SurfaceCompliance::of_conductors; must outlive this object
+  /// @param tops        sum of the resistivities at both surfaces, which `flow` has to be given as the spreading [ohm m]
+  /// @param modulus     of the contact [Pa]
+  static Constriction of_layers(const halfspace::SurfaceCompliance& conductors, double tops, double modulus)
+  {
+    return {conductors, 2.0 / tops, modulus};
+  }
 
   /// The contact, one value per cell.
   struct Contact
@@ -65,12 +76,13 @@ public:
                           std::span<const double> source, const std::array<Conductor, 2>& bodies);
 
 private:
+  Constriction(const halfspace::SurfaceCompliance& compliance, double modulus, double modulus_of_contact);
   [[nodiscard]] std::vector<double> spread(std::span<const double> flux);
   void correct(Flow& flow, std::span<const double> pressure, double spreading, std::span<const double> film) const;
 
   const halfspace::SurfaceCompliance& compliance_;
   halfspace::SurfaceCompliance::Scratch scratch_;
-  double modulus_;
+  double modulus_, modulus_of_contact_;
   Punch punch_;
   std::vector<double> heat_into_lower_; ///< guess of the next solution [W/m^2]
 };

@@ -30,7 +30,8 @@ public:
   Conduction(const halfspace::SurfaceCompliance& compliance, double modulus, const Current::Materials& materials,
              const Current* current);
 
-  /// Whether the conductivities of both bodies are known: by their thermal constants, or by their resistivities.
+  /// Whether the conductivities of both bodies are known: by their thermal constants, or by their resistivities. Those of layers
+  /// are not.
   [[nodiscard]] static bool is_known(const Current::Materials& materials);
 
   [[nodiscard]] std::string_view name() const override { return "conduction"; }

@@ -85,7 +85,7 @@ inline constexpr auto current_columns = columns_of<CurrentTotals>(
           "largest temperature by the current since the start"}},
     });
 
-/// Resistivity, conductivity and temperature of a body that has a resistivity.
+/// Resistivity, at its surface, conductivity and temperature of a body that has a resistivity.
 [[nodiscard]] contact::HotConductor conductor(const constitutive::Material& material);
 
 /// Current through the contact at the end of each increment. It heats the bodies where their heat is computed.
@@ -129,8 +129,8 @@ public:
   /// Density of the current, mean over each cell of the contact grid [A/m^2].
   [[nodiscard]] std::span<const double> density() const { return state_.density; }
 
-  /// Conductance of the last contact times the sum of the resistivities, if no film is between the surfaces [m]: it depends on the
-  /// contact only.
+  /// Conductance of the last contact times the sum of the resistivities, if no film is between the surfaces and the bodies have no
+  /// layers [m]: it depends on the contact only.
   [[nodiscard]] std::optional<double> clean_conductance() const { return clean_conductance_; }
 
   void report(EffectTotals& totals) const override;
@@ -203,10 +203,11 @@ private:
   void heat_up(const Hot& hot, const contact::Flow& flow, std::span<const double> pressure);
   void find_means(std::span<const double> pressure);
 
-  contact::Constriction constriction_;
+  std::unique_ptr<const halfspace::SurfaceCompliance> layered_; ///< nullptr: homogeneous bodies
   SurfaceGrid grid_;
   std::array<contact::HotConductor, 2> bodies_;
-  double spreading_; ///< sum of the resistivities far from the contact [ohm m]
+  double spreading_; ///< sum of the resistivities at the surfaces, at the temperatures far from the contact [ohm m]
+  contact::Constriction constriction_;
   CurrentDrive drive_;
   Film film_law_;
   const Wear* wear_;

@@ -3,6 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/hidden.hpp"
+#include "brinell/green/conductive_stack.hpp"
 #include "brinell/green/elastic.hpp"
 #include "brinell/green/stack.hpp"
 #include "brinell/halfspace/surface_load.hpp"
@@ -50,12 +51,20 @@ public:
   SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack& body1, const ElasticStack& body2,
                     double reference = 0.0);
 
+  /// Density of a current [A/m^2], in place of the pressure -> potential [V], in place of the displacement along z, of two bodies
+  /// that conduct (docs/theory/electrical.md, layers): that of body 1 less that of body 2 against points far away in both. It has
+  /// no shears. With one periodic axis the potential is zero at the reference distance.
+  /// @throws InputError if a first layer is thinner than a quarter of a cell, unless the surface is periodic along both axes
+  [[nodiscard]] static SurfaceCompliance of_conductors(const SurfaceGrid& grid, const ConductiveStack& body1,
+                                                       const ConductiveStack& body2, double reference = 0.0);
+
   /// Buffers of one application; make one per concurrent caller, once.
   struct Buffers;
   using Scratch = Hidden<Buffers>;
   [[nodiscard]] Scratch make_scratch() const;
 
   [[nodiscard]] const SurfaceGrid& grid() const;
+  [[nodiscard]] double reference() const; ///< [m]
   /// The compliance of the same bodies on another grid, with the same reference.
   [[nodiscard]] SurfaceCompliance on(const SurfaceGrid& grid) const;
   /// Whether a pressure causes displacements along the surface and a shear causes displacements along z, as it is for elastically

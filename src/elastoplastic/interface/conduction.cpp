@@ -21,7 +21,8 @@ Conduction::Conduction(const halfspace::SurfaceCompliance& compliance, double mo
 bool Conduction::is_known(const Current::Materials& materials)
 {
   return std::all_of(materials.begin(), materials.end(),
-                     [](const constitutive::Material* material) { return material->thermal || material->electrical; });
+                     [](const constitutive::Material* material)
+                     { return material->layers.empty() && (material->thermal || material->electrical); });
 }
 
 void Conduction::commit(const Interaction& found, const Placement& /*placement*/)

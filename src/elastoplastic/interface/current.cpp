@@ -16,9 +16,12 @@ namespace brinell::elastoplastic
 
 contact::HotConductor conductor(const constitutive::Material& material)
 {
-  contact::HotConductor result{.resistivity = material.electrical->resistivity,
-                               .temperature_coefficient = material.electrical->temperature_coefficient,
+  const constitutive::Electrical& electrical = *material.electrical;
+  contact::HotConductor result{.resistivity = electrical.resistivity,
+                               .temperature_coefficient = electrical.temperature_coefficient,
                                .temperature = material.temperature};
+  if (!material.layers.empty()) // the resistivity at the surface, which grows like that of the substrate
+    result.resistivity *= material.conductors().top() / electrical.resistivity_at(material.temperature);
   if (material.thermal)
     result.conductivity = material.thermal->conductivity;
   return result;
@@ -44,11 +47,28 @@ bool CurrentDrive::drives() const
   return std::any_of(current.begin(), current.end(), acts) || std::any_of(voltage.begin(), voltage.end(), acts);
 }
 
+namespace
+{
+
+/// Potential of a current between layered bodies; nullptr for homogeneous ones, which the compliance of the contact serves.
+std::unique_ptr<const halfspace::SurfaceCompliance> conductors(const halfspace::SurfaceCompliance& compliance,
+                                                               const Current::Materials& materials)
+{
+  if (materials[0]->layers.empty() && materials[1]->layers.empty())
+    return nullptr;
+  return std::make_unique<const halfspace::SurfaceCompliance>(halfspace::SurfaceCompliance::of_conductors(
+      compliance.grid(), materials[0]->conductors(), materials[1]->conductors(), compliance.reference()));
+}
+
+} // namespace
+
 Current::Current(const halfspace::SurfaceCompliance& compliance, const VolumeGrid& lower, const VolumeGrid& upper,
                  double modulus, const Materials& materials, const CurrentDrive& drive, const Wear* wear)
-    : constriction_(compliance, modulus),
+    : layered_(conductors(compliance, materials)),
       grid_(compliance.grid()), bodies_{conductor(*materials[0]), conductor(*materials[1])},
       spreading_(bodies_[0].resistivity_at(bodies_[0].temperature) + bodies_[1].resistivity_at(bodies_[1].temperature)),
+      constriction_(layered_ ? contact::Constriction::of_layers(*layered_, spreading_, modulus)
+                             : contact::Constriction(compliance, modulus)),
       drive_(drive), film_law_(grid_, lower.surface, upper.surface, drive.film), wear_(wear)
 {
   film_state_ = film_law_.start();
@@ -158,7 +178,7 @@ void Current::settle(const Interaction& found, const Placement& placement)
   next_.largest_share =
       flow.of_patch.empty() ? 0.0 : *std::max_element(flow.of_patch.begin(), flow.of_patch.end()) / flow.conductance;
   next_.temperature = std::max(bodies_[0].temperature, bodies_[1].temperature);
-  clean_conductance_ = next_.film.empty() ? std::optional(flow.conductance * spreading_) : std::nullopt;
+  clean_conductance_ = next_.film.empty() && !layered_ ? std::optional(flow.conductance * spreading_) : std::nullopt;
   find_density(flow, drive_through(flow, found));
   find_means(found.pressure());
   next_.per_volt = std::move(flow.density);

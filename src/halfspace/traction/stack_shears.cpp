@@ -44,10 +44,11 @@ WaveParts less(WaveParts parts, const WaveParts& other)
   return parts;
 }
 
-WaveParts excess_parts(const ElasticStack& stack, double k)
+WaveParts excess_parts(const ElasticStack& stack, double k,
+                       double green::WaveCompliance::*of = &green::WaveCompliance::normal)
 {
   const green::WaveCompliance c = green::StackWave(stack, k).compliance();
-  return less(parts_of(k * c.normal, k * c.along, k * c.across, k * c.coupling), homogeneous_parts(stack.top()));
+  return less(parts_of(k * c.*of, k * c.along, k * c.across, k * c.coupling), homogeneous_parts(stack.top()));
 }
 
 void add(double factor, const SurfaceExcess& more, SurfaceExcess& sum)
@@ -58,7 +59,8 @@ void add(double factor, const SurfaceExcess& more, SurfaceExcess& sum)
 
 } // namespace
 
-Quadrant<SurfaceExcess> excess_surface(const SurfaceGrid& surface, const ElasticStack& stack, double reference)
+Quadrant<SurfaceExcess> excess_surface(const SurfaceGrid& surface, const ElasticStack& stack, double reference,
+                                       double green::WaveCompliance::*of)
 {
   const SurfaceGrid grid = surface.whole();
   WaveScales scales = surface_scales(stack);
@@ -66,7 +68,7 @@ Quadrant<SurfaceExcess> excess_surface(const SurfaceGrid& surface, const Elastic
   scales.at_zero = less(homogeneous_parts(stack.substrate), homogeneous_parts(stack.top()));
   std::vector<WaveParts> values;
   for (const double k : RadialFields::Table::wavenumbers(scales.smallest(), scales.largest()))
-    values.push_back(excess_parts(stack, k));
+    values.push_back(excess_parts(stack, k, of));
   const RadialFields::Table waves(scales.smallest(), values);
   if (grid.is_periodic_x() || grid.is_periodic_y())
     return banded_cells(grid, scales, terms, waves, reference);

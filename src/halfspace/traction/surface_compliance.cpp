@@ -63,8 +63,11 @@ Stacks layered(const ElasticStack& body1, const ElasticStack& body2)
   return stacks;
 }
 
+/// The component of the compliance by which a layered body responds: along z by a pressure, or the potential of a current.
+using Response = double green::WaveCompliance::*;
+
 /// Adds what a wave of unit pressure displaces a layered body more than a body of its top material.
-void add_excess(const SurfaceGrid& grid, const ElasticStack& stack, std::vector<double>& spectrum)
+void add_excess(const SurfaceGrid& grid, const ElasticStack& stack, Response of, std::vector<double>& spectrum)
 {
   auto value = spectrum.begin();
   for (int row = 0; row <= grid.ny / 2; ++row)
@@ -72,7 +75,7 @@ void add_excess(const SurfaceGrid& grid, const ElasticStack& stack, std::vector<
     {
       const double k = 2.0 * std::numbers::pi * std::hypot(i / (grid.nx * grid.dx), row / (grid.ny * grid.dy));
       if (k > 0.0)
-        *value += green::StackWave(stack, k).compliance().normal - 2.0 * stack.top().contact_compliance() / k;
+        *value += green::StackWave(stack, k).compliance().*of - 2.0 * stack.top().contact_compliance() / k;
     }
 }
 
@@ -83,20 +86,20 @@ struct Spectra
   std::vector<double> stiffness;  ///< [Pa/m]
 };
 
-Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modulus, const Stacks& stacks,
+Spectra spectra(const SurfaceGrid& grid, const SurfaceGrid& larger, double modulus, const Stacks& stacks, Response of,
                 double reference)
 {
   if (grid.is_periodic())
   {
     std::vector<double> waves = wave_spectrum(grid, modulus);
     for (const LayeredBody& body : stacks)
-      add_excess(grid, body.stack, waves);
+      add_excess(grid, body.stack, of, waves);
     return {waves, inverse(waves)};
   }
   Quadrant<double> response = cell_displacement(larger, reference);
   for (const LayeredBody& body : stacks)
   {
-    const Quadrant<SurfaceExcess> excess = excess_surface(larger, body.stack, reference);
+    const Quadrant<SurfaceExcess> excess = excess_surface(larger, body.stack, reference, of);
     for (std::size_t n = 0; n < response.values.size(); ++n)
       response.values[n] += std::numbers::pi * modulus * excess.values[n][excess::zz];
   }
@@ -143,8 +146,8 @@ struct Normal
   EvenProduct compliance, stiffness;
   double largest; ///< [m/Pa]
 
-  Normal(const SurfaceGrid& grid, double modulus, const Stacks& stacks, double reference)
-      : Normal(grid, with_fast_lengths(grid), spectra(grid, with_fast_lengths(grid), modulus, stacks, reference))
+  Normal(const SurfaceGrid& grid, double modulus, const Stacks& stacks, Response of, double reference)
+      : Normal(grid, with_fast_lengths(grid), spectra(grid, with_fast_lengths(grid), modulus, stacks, of, reference))
   {
   }
 
@@ -175,13 +178,14 @@ struct SurfaceCompliance::Operator
   double reference; ///< [m]
   Stacks stacks{};
   bool are_equal = false; ///< layered bodies
+  Response response = &green::WaveCompliance::normal;
   Lazy<Normal> normal_part{};
   Lazy<Tractions> traction_part{};
   Lazy<ShearStiffness> shear_part{};
 
   [[nodiscard]] const Normal& normal() const
   {
-    return normal_part.get([this] { return Normal(grid, modulus, stacks, reference); });
+    return normal_part.get([this] { return Normal(grid, modulus, stacks, response, reference); });
   }
   [[nodiscard]] const green::PairConstants& constants() const
   {
@@ -232,6 +236,22 @@ SurfaceCompliance::SurfaceCompliance(const SurfaceGrid& grid, const ElasticStack
     require_resolved(grid, body.stack);
 }
 
+SurfaceCompliance SurfaceCompliance::of_conductors(const SurfaceGrid& grid, const ConductiveStack& body1,
+                                                   const ConductiveStack& body2, double reference)
+{
+  const ElasticStack one = in_shear(body1), other = in_shear(body2);
+  SurfaceCompliance result(make_hidden<Operator>(grid, contact_modulus(one.top(), other.top()), std::nullopt, reference,
+                                                 layered(one, other), body1 == body2, &green::WaveCompliance::across));
+  for (const LayeredBody& body : result.operator_->stacks)
+    require_resolved(grid, body.stack);
+  return result;
+}
+
+double SurfaceCompliance::reference() const
+{
+  return operator_->reference;
+}
+
 const SurfaceGrid& SurfaceCompliance::grid() const
 {
   return operator_->grid;
@@ -240,7 +260,7 @@ const SurfaceGrid& SurfaceCompliance::grid() const
 SurfaceCompliance SurfaceCompliance::on(const SurfaceGrid& grid) const
 {
   return SurfaceCompliance(make_hidden<Operator>(grid, operator_->modulus, operator_->pair, operator_->reference,
-                                                 operator_->stacks, operator_->are_equal));
+                                                 operator_->stacks, operator_->are_equal, operator_->response));
 }
 
 bool SurfaceCompliance::couples() const

@@ -74,8 +74,8 @@ std::vector<constitutive::Coat> coats(const CaseReader& reader, const std::strin
                             fmt::format("{} is missing; allowed: {}", key, allowed_values(*find_entry(key))));
     if (given < 3)
       continue;
-    layers.push_back(
-        {reader.get<double>(keys[0]), {reader.get<double>(keys[1]), reader.get<double>(keys[2])}, std::nullopt});
+    layers.push_back({reader.get<double>(keys[0]), {reader.get<double>(keys[1]), reader.get<double>(keys[2])}, {}, {}});
+    layers.back().electrical = electrical_of(reader, table + ".electrical.");
     try
     {
       if (has_law)
@@ -102,7 +102,6 @@ void refuse_with_layers(const CaseReader& reader, const std::string& table, cons
           fmt::format("{0} does not go with {1}layers; allowed: a body without layers, or without {0}", key, table));
   };
   refuse(material.thermal.has_value(), table + "thermal.conductivity");
-  refuse(material.electrical.has_value(), table + "electrical.resistivity");
   refuse(material.softening.has_value(), table + "softening.law");
   refuse(!material.kinematic.empty(), table + "hardening.back_stresses");
 }
@@ -147,7 +146,7 @@ constitutive::Material material(const CaseReader& reader, const std::string& tab
   if (deforms)
     result.elastic = {reader.get<double>(table + "young_modulus"), reader.get<double>(table + "poisson_ratio")};
   read_thermal(reader, table + "thermal.", result);
-  read_electrical(reader, table + "electrical.", result);
+  result.electrical = electrical_of(reader, table + "electrical.");
   if (!deforms)
     return result;
   result.layers = coats(reader, table + "layers");

@@ -141,7 +141,7 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 
 /// Reads the electrical constants, if there are any.
 /// @param table  ends with a dot
-void read_electrical(const CaseReader& reader, const std::string& table, constitutive::Material& material);
+std::optional<constitutive::Electrical> electrical_of(const CaseReader& reader, const std::string& table);
 
 /// Reads the softening law; none if no law is given.
 /// @param table  ends with a dot

@@ -182,6 +182,27 @@ Entries back_stress_entries(const std::string& list, const Condition& yields)
   return entries;
 }
 
+/// Keys of the electrical constants of the layers of a coated body.
+Entries electrical_entries_of_layers(const std::string& material)
+{
+  const std::string table = material + "layers.";
+  return in_table(
+      table + "electrical.", {material + "rigid", {"false"}},
+      {
+          {.key = "resistivity",
+           .of = kind::resistivity.above(0.0),
+           .unset = "the body insulates",
+           .text = "Resistivity of the layer at 20 degC. A body that conducts needs it of each of its layers.",
+           .hint = "gold has 2.2e-8 ohm m, tin 1.1e-7 ohm m"},
+          {.key = "temperature_coefficient",
+           .of = kind::expansion.at_least(0.0),
+           .unset = "0",
+           .text = "Growth of the resistivity per degree up to the temperature of the bulk, over the resistivity at "
+                   "20 degC. Where the current heats the contact, the layer grows like the substrate.",
+           .hint = "pure metals have about 4e-3 1/K"},
+      });
+}
+
 /// Keys of the layers of a coated body: a list of tables from the surface down.
 Entries layer_entries(const std::string& material)
 {
@@ -221,7 +242,7 @@ Entries layer_entries(const std::string& material)
                 .unset = "none",
                 .text = "Hardening law of the layer, as that of the material; none: the layer stays elastic."},
            }),
-       hardening_entries(hardening, yields), std::move(points)});
+       hardening_entries(hardening, yields), std::move(points), electrical_entries_of_layers(material)});
   for (Entry& entry : entries)
     entry.list = list;
   return entries;

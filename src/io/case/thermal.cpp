@@ -27,16 +27,17 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
   material.temperature = number("temperature", material.temperature);
 }
 
-void read_electrical(const CaseReader& reader, const std::string& table, constitutive::Material& material)
+std::optional<constitutive::Electrical> electrical_of(const CaseReader& reader, const std::string& table)
 {
   if (reader.has(table + "resistivity"))
-    material.electrical = {reader.get<double>(table + "resistivity"),
-                           reader.get_or(table + "temperature_coefficient", 0.0)};
-  else if (reader.has(table + "temperature_coefficient"))
+    return constitutive::Electrical{reader.get<double>(table + "resistivity"),
+                                    reader.get_or(table + "temperature_coefficient", 0.0)};
+  if (reader.has(table + "temperature_coefficient"))
   {
     const Entry& entry = *find_entry(table + "resistivity");
-    reader.missing(entry.key, fmt::format("{}; {}", allowed_values(entry), entry.hint));
+    reader.missing(table + "resistivity", fmt::format("{}; {}", allowed_values(entry), entry.hint));
   }
+  return std::nullopt;
 }
 
 std::optional<constitutive::SofteningLaw> softening_law(const CaseReader& reader, const std::string& table)

@@ -122,14 +122,36 @@ void require_cover(const ShapedBody& body, const std::string& name, const elasto
   }
 }
 
-void require_electrical(const constitutive::Electrical& electrical, const std::string& body)
+void require_electrical(const constitutive::Electrical& electrical, const std::string& body, const std::string& table)
 {
   if (!(electrical.resistivity > 0.0 && std::isfinite(electrical.resistivity)))
-    throw PlanError("{} = {:g} ohm m; allowed: > 0", member_of(body, "material.electrical.resistivity"),
-                    electrical.resistivity);
+    throw PlanError("{} = {:g} ohm m; allowed: > 0", member_of(body, table + ".resistivity"), electrical.resistivity);
   if (!(electrical.temperature_coefficient >= 0.0 && std::isfinite(electrical.temperature_coefficient)))
-    throw PlanError("{} = {:g} 1/K; allowed: >= 0", member_of(body, "material.electrical.temperature_coefficient"),
+    throw PlanError("{} = {:g} 1/K; allowed: >= 0", member_of(body, table + ".temperature_coefficient"),
                     electrical.temperature_coefficient);
+}
+
+/// Checks the layers of a body: all of them conduct, or none.
+void require_layers_conduct(const constitutive::Material& material, const std::string& body, const CurrentDrive& drive)
+{
+  for (std::size_t n = 0; n < material.layers.size(); ++n)
+  {
+    const auto& electrical = material.layers[n].electrical;
+    const std::string table = fmt::format("material.layers[{}].electrical", n);
+    if (electrical && !material.electrical)
+      throw PlanError("{} = {:g} ohm m, but the {} body insulates; allowed: with {}",
+                      member_of(body, table + ".resistivity"), electrical->resistivity, body,
+                      member_of(body, "material.electrical.resistivity"));
+    if (material.electrical && !electrical)
+      throw PlanError("{} is missing: the {} body conducts; allowed: a resistivity > 0 of each of its layers",
+                      member_of(body, table + ".resistivity"), body);
+    if (electrical)
+      require_electrical(*electrical, body, table);
+  }
+  const bool has_film = !given_of(drive.film).empty();
+  if (has_film && drive.drives() && !material.layers.empty() && material.electrical)
+    throw PlanError("{} with {} and {}: the heat of a film on layers is not computed; allowed: two of them",
+                    given_of(drive), given_of(drive.film), member_of(body, "material.layers"));
 }
 
 void require_current(const PairCase& c, const std::string& why_no_slip)
@@ -152,9 +174,10 @@ void require_current(const PairCase& c, const std::string& why_no_slip)
   require_steps(drive);
   for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
   {
+    require_layers_conduct(body->material, name, drive);
     if (body->material.electrical)
     {
-      require_electrical(*body->material.electrical, name);
+      require_electrical(*body->material.electrical, name, "material.electrical");
       require_solid(name, body->material);
     }
     else if (const std::string given = given_of(drive); !given.empty())

@@ -62,6 +62,28 @@ TEST(LayersCase, CoatedBodiesMaySlideWithFriction)
   EXPECT_EQ(sample::tugging(c).friction.coefficient, 0.1);
 }
 
+TEST(LayersCase, LayersConduct)
+{
+  const std::string conducts = R"(lower.material.electrical={resistivity="4e-8 ohm m", temperature_coefficient=4e-3})";
+  const std::string plated = layers(
+      R"([{thickness="1.925 mm", young_modulus="80 GPa", poisson_ratio=0.4, hardening={law="perfect", yield_stress=1e9}, )"
+      R"(electrical={resistivity="3e-8 ohm m", temperature_coefficient="3e-3 1/K"}}])");
+  const Case c = sample::parsed({conducts, plated});
+  const constitutive::Material& material = sample::tugging(c).lower.material;
+  EXPECT_EQ(material.layers.front().electrical, (constitutive::Electrical{3e-8, 3e-3}));
+  EXPECT_EQ(material.conductors(), (ConductiveStack{{{1.925e-3, 3e-8}}, 4e-8})); // at 20 degC
+  const Case again = parse_case(resolved_text(c.values), "resolved.toml", {});
+  EXPECT_EQ(sample::tugging(again).lower.material, material);
+
+  expect_message({conducts, layers(std::string("[") + hard + "]")},
+                 "lower.material.layers[0].electrical.resistivity is missing: the lower body conducts");
+  expect_message({plated},
+                 "lower.material.layers[0].electrical.resistivity = 3e-08 ohm m, but the lower body insulates");
+  expect_message({conducts, plated, "upper.material.electrical={resistivity=4e-8}", "interface.film_resistance=1e-12",
+                  "interface.current=1"},
+                 "the heat of a film on layers is not computed");
+}
+
 TEST(LayersCase, ErrorsNameTheLayer)
 {
   expect_message({layers(R"([{thickness="1.925 mm", poisson_ratio=0.2}])")},
