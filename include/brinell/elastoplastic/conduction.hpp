@@ -3,6 +3,8 @@
 
 #include "brinell/elastoplastic/current.hpp"
 
+#include <memory>
+
 namespace brinell::elastoplastic
 {
 
@@ -30,8 +32,8 @@ public:
   Conduction(const halfspace::SurfaceCompliance& compliance, double modulus, const Current::Materials& materials,
              const Current* current);
 
-  /// Whether the conductivities of both bodies are known: by their thermal constants, or by their resistivities. Those of layers
-  /// are not.
+  /// Whether the conductivities of both bodies are known: by their thermal constants, or by their resistivities; with layers by the
+  /// resistivities of all of them.
   [[nodiscard]] static bool is_known(const Current::Materials& materials);
 
   [[nodiscard]] std::string_view name() const override { return "conduction"; }
@@ -55,8 +57,9 @@ private:
     }
   };
 
+  std::unique_ptr<const halfspace::SurfaceCompliance> layered_; ///< nullptr: homogeneous bodies
+  double spreading_; ///< sum of 1/conductivity of the bodies, at their surfaces [K m/W]
   contact::Constriction constriction_;
-  double spreading_; ///< sum of 1/conductivity of the bodies [K m/W]
   const Current* current_;
   State state_;
 };

@@ -88,6 +88,14 @@ inline constexpr auto current_columns = columns_of<CurrentTotals>(
 /// Resistivity, at its surface, conductivity and temperature of a body that has a resistivity.
 [[nodiscard]] contact::HotConductor conductor(const constitutive::Material& material);
 
+/// Potential of a flow between layered bodies, on the grid of their contact; nullptr for homogeneous bodies, which the compliance
+/// of the contact serves.
+/// @param stack  resistances of a body and its layers
+[[nodiscard]] std::unique_ptr<const halfspace::SurfaceCompliance>
+layered_conductors(const halfspace::SurfaceCompliance& compliance,
+                   const std::array<const constitutive::Material*, 2>& materials,
+                   ConductiveStack (*stack)(const constitutive::Material&));
+
 /// Current through the contact at the end of each increment. It heats the bodies where their heat is computed.
 class Current final : public Effect
 {

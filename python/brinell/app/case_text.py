@@ -106,15 +106,20 @@ def text_of(values: Values) -> CaseText:
 
 
 def _place(key: str) -> tuple[int, list[Any]]:
-    """Order of the keys: by tables of the schema, repeated ones by number, keys as in the schema, unknown ones last."""
+    """Order of the keys: by tables of the schema, keys as in the schema, unknown ones last.
+
+    All tables within one of several repeated tables follow it, before the next one of these.
+    """
     order = list(form())
     numbers = [int(number) for number in re.findall(r"\[(\d+)\]", key)]
     plain = plain_key(key)
     names = {section.table: i for i, section in enumerate(sections())}
     table = plain_key(table_of(key))
+    repeated = key.partition("[")[0] if numbers else table
     # Keys of the root stand before the first table.
-    rank = -1 if not table else names.get(table, _near(table, names))
-    return rank, [table, numbers, order.index(plain) if plain in order else len(order), plain]
+    rank = -1 if not table else names.get(repeated, _near(repeated, names))
+    within = names.get(table, _near(table, names))
+    return rank, [repeated, numbers, within, table, order.index(plain) if plain in order else len(order), plain]
 
 
 def _near(table: str, names: Mapping[str, int]) -> int:

@@ -9,20 +9,42 @@
 namespace brinell::elastoplastic
 {
 
+namespace
+{
+
+/// 1/conductivity of a body and its layers [K m/W]; without thermal constants by Wiedemann and Franz.
+ConductiveStack resistances_to_heat(const constitutive::Material& material)
+{
+  const auto by_current = [&](const constitutive::Electrical& electrical)
+  {
+    return 1.0 / contact::HotConductor{.resistivity = electrical.resistivity,
+                                       .temperature_coefficient = electrical.temperature_coefficient}
+                     .conductivity_at(material.temperature);
+  };
+  ConductiveStack stack{{}, material.thermal ? 1.0 / material.thermal->conductivity : by_current(*material.electrical)};
+  stack.layers.reserve(material.layers.size());
+  for (const constitutive::Coat& layer : material.layers)
+    stack.layers.push_back({layer.thickness, by_current(*layer.electrical)});
+  return stack;
+}
+
+} // namespace
+
 Conduction::Conduction(const halfspace::SurfaceCompliance& compliance, double modulus,
                        const Current::Materials& materials, const Current* current)
-    : constriction_(compliance, modulus), spreading_(0.0), current_(current)
+    : layered_(layered_conductors(compliance, materials, &resistances_to_heat)),
+      spreading_(resistances_to_heat(*materials[0]).top() + resistances_to_heat(*materials[1]).top()),
+      constriction_(layered_ ? contact::Constriction::of_layers(*layered_, spreading_, modulus)
+                             : contact::Constriction(compliance, modulus)),
+      current_(current)
 {
-  for (const constitutive::Material* material : materials)
-    spreading_ += 1.0 / (material->thermal ? material->thermal->conductivity
-                                           : conductor(*material).conductivity_at(material->temperature));
 }
 
 bool Conduction::is_known(const Current::Materials& materials)
 {
   return std::all_of(materials.begin(), materials.end(),
                      [](const constitutive::Material* material)
-                     { return material->layers.empty() && (material->thermal || material->electrical); });
+                     { return material->electrical || (material->thermal && material->layers.empty()); });
 }
 
 void Conduction::commit(const Interaction& found, const Placement& /*placement*/)

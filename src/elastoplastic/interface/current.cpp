@@ -47,24 +47,21 @@ bool CurrentDrive::drives() const
   return std::any_of(current.begin(), current.end(), acts) || std::any_of(voltage.begin(), voltage.end(), acts);
 }
 
-namespace
-{
-
-/// Potential of a current between layered bodies; nullptr for homogeneous ones, which the compliance of the contact serves.
-std::unique_ptr<const halfspace::SurfaceCompliance> conductors(const halfspace::SurfaceCompliance& compliance,
-                                                               const Current::Materials& materials)
+std::unique_ptr<const halfspace::SurfaceCompliance>
+layered_conductors(const halfspace::SurfaceCompliance& compliance,
+                   const std::array<const constitutive::Material*, 2>& materials,
+                   ConductiveStack (*stack)(const constitutive::Material&))
 {
   if (materials[0]->layers.empty() && materials[1]->layers.empty())
     return nullptr;
   return std::make_unique<const halfspace::SurfaceCompliance>(halfspace::SurfaceCompliance::of_conductors(
-      compliance.grid(), materials[0]->conductors(), materials[1]->conductors(), compliance.reference()));
+      compliance.grid(), stack(*materials[0]), stack(*materials[1]), compliance.reference()));
 }
-
-} // namespace
 
 Current::Current(const halfspace::SurfaceCompliance& compliance, const VolumeGrid& lower, const VolumeGrid& upper,
                  double modulus, const Materials& materials, const CurrentDrive& drive, const Wear* wear)
-    : layered_(conductors(compliance, materials)),
+    : layered_(layered_conductors(compliance, materials,
+                                  [](const constitutive::Material& material) { return material.conductors(); })),
       grid_(compliance.grid()), bodies_{conductor(*materials[0]), conductor(*materials[1])},
       spreading_(bodies_[0].resistivity_at(bodies_[0].temperature) + bodies_[1].resistivity_at(bodies_[1].temperature)),
       constriction_(layered_ ? contact::Constriction::of_layers(*layered_, spreading_, modulus)
