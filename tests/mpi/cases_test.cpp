@@ -13,6 +13,7 @@ namespace
 std::vector<std::string> shortening(const std::string& name)
 {
   static const std::map<std::string, std::vector<std::string>> of_some{
+      {"connector-plated", {R"(grid.spacing=["4 um", "4 um", "0.6 um"])", "indentation.steps=4"}},
       {"electrical-connector", {"grid.cells=[36, 36]", "indentation.steps=4"}},
       {"rough-periodic", {"grid.cells=[48, 48]", "indentation.steps=6"}},
       {"rough-plastic", {"grid.cells=[36, 36]", "indentation.steps=4"}},
