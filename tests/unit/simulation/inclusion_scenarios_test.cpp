@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inclusions in rolling, indentation and sliding: energy, checkpoints, short cuts.
+// Inclusions in rolling, indentation, sliding and tugging: energy, checkpoints, short cuts.
 #include "brinell/simulation/indentation.hpp"
 #include "brinell/simulation/rolling.hpp"
 #include "brinell/simulation/run.hpp"
 #include "brinell/simulation/sliding.hpp"
+#include "brinell/simulation/tugging.hpp"
+#include "sphere_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -110,6 +112,17 @@ TEST(InclusionScenarios, EnergyClosesUnderABallThatSlides)
   c.friction.coefficient = 0.2;
   c.distance = 40e-6;
   const SlidingSummary s = run(c);
+  EXPECT_GT(s.dissipation_lower, 0.0);
+  EXPECT_LT(std::abs(s.energy_balance_error), 5e-3);
+  EXPECT_TRUE(s.inclusions);
+}
+
+TEST(InclusionScenarios, EnergyClosesWhereAsperitiesPassEachOther)
+{
+  TuggingCase c = spheres(6.0);
+  c.resolution = 6.0;
+  c.lower.inclusions = inclusions(2e-3);
+  const TuggingSummary s = run(c);
   EXPECT_GT(s.dissipation_lower, 0.0);
   EXPECT_LT(std::abs(s.energy_balance_error), 5e-3);
   EXPECT_TRUE(s.inclusions);
