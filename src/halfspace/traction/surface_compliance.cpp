@@ -278,7 +278,7 @@ SurfaceCompliance::NormalSpectra SurfaceCompliance::normal_spectra() const
   const Operator& op = *operator_;
   const SurfaceGrid larger = with_fast_lengths(op.grid);
   const PaddedLengths lengths = padded_lengths(op.grid);
-  Spectra of = spectra(op.grid, larger, op.modulus, op.stacks, op.reference);
+  Spectra of = spectra(op.grid, larger, op.modulus, op.stacks, op.response, op.reference);
   return {{lengths.x, lengths.y, std::move(of.compliance)}, {larger.nx, larger.ny, std::move(of.stiffness)}};
 }
 
