@@ -46,8 +46,8 @@ class CoatedContact:
             upper_layers: layers on the upper body, from its surface.
 
         Raises:
-            InputError: a value is out of range, not exactly one of the three is given, both bodies are rigid, or a first
-                layer is thinner than 0.02 contact radii.
+            InputError: a value is out of range, not exactly one of the three is given, both bodies are rigid, or a
+                first layer is thinner than 0.02 contact radii.
         """
         given = {"load": load, "approach": approach, "contact_radius": contact_radius}
         named = [(name, value) for name, value in given.items() if value is not None]

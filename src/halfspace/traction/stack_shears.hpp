@@ -42,9 +42,9 @@ using SurfaceExcess = std::array<double, excess::count>;
 /// @param reference  as for cell_displacement, in all directions
 /// @param of         displacement in place of that along z by a pressure: that across a shear, only with Poisson's ratios of 0,
 ///                   where a homogeneous body has the same of both
-[[nodiscard]] Quadrant<SurfaceExcess> excess_surface(const SurfaceGrid& surface, const ElasticStack& stack,
-                                                     double reference,
-                                                     double green::WaveCompliance::*of = &green::WaveCompliance::normal);
+[[nodiscard]] Quadrant<SurfaceExcess>
+excess_surface(const SurfaceGrid& surface, const ElasticStack& stack, double reference,
+               double green::WaveCompliance::*of = &green::WaveCompliance::normal);
 [[nodiscard]] Quadrant<SurfaceExcess> excess_surface(const SurfaceGrid& surface, const std::vector<LayeredBody>& bodies,
                                                      double reference);
 
