@@ -131,7 +131,7 @@ public:
           add("coarse_coat",
               fmt::format("layer {} of the {} body is {} thick, {:.2g} layers of cells; its plastic strain "
                           "is coarse with less than {:g}: use thinner cells (grid.resolution)",
-                          coat, side == 0 ? "lower" : "upper", length_text(material.layers[coat].thickness), cells,
+                          coat + 1, side == 0 ? "lower" : "upper", length_text(material.layers[coat].thickness), cells,
                           least_cells));
     }
   }

@@ -81,10 +81,13 @@ std::string yield_report(const ScenarioCase& s, const simulation::Plan& plan)
   if (!(plan.peak_pressure > 0.0 && plan.peak_over_yield > 0.0 && std::isfinite(plan.peak_over_yield)))
     return "";
   const double friction = s.friction.coefficient;
+  const bool has_layers = !s.lower.material.layers.empty() || !s.upper.material.layers.empty();
   std::string text = fmt::format("# Elastic peak pressure: {:.6e} Pa, {:.4g} times that at first yield",
                                  plan.peak_pressure, plan.peak_over_yield);
   if (friction > 0.0)
     text += fmt::format(" of surfaces that slide with friction {:g}", friction);
+  if (has_layers)
+    return text + " without layers (estimate, with the most compliant of the materials of a body)\n";
   const bool is_exact = !simulation::reason_against_first_yield(s.lower, s.upper, s.domain);
   return text + (is_exact ? "\n" : " (estimate for a round contact)\n");
 }
