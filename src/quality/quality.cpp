@@ -264,8 +264,10 @@ Facts facts_of(const PairCase& c, const Plan& plan, double half_x, double half_y
   // On textures stand peaks of pressure.
   f.is_smooth = are_smooth(c.lower, c.upper);
   f.inclusions = plan.inclusions;
-  const bool has_inclusions = f.inclusions[0].cells + f.inclusions[1].cells > 0; // around which the body yields earlier
-  if (!stressed && f.is_smooth && !has_inclusions)
+  // Around inclusions the body yields earlier, and under layers earlier or later.
+  const bool is_uniform = f.inclusions[0].cells + f.inclusions[1].cells == 0 && c.lower.material.layers.empty() &&
+                          c.upper.material.layers.empty();
+  if (!stressed && f.is_smooth && is_uniform)
     f.first_yield = plan.first_yield;
   f.solver = c.solver;
   f.is_plane = is_plane(plan.contact);

@@ -123,6 +123,36 @@ friction = 0.4
   EXPECT_NE(ellipse.find("(estimate for a round contact)"), std::string::npos) << ellipse;
 }
 
+TEST_F(QualityOfRuns, FirstYieldOfACoatedBody)
+{
+  write("case.toml", R"(scenario = "indentation"
+[lower]
+shape = {type = "flat"}
+[lower.material]
+young_modulus = "210 GPa"
+poisson_ratio = 0.3
+hardening = {law = "linear", yield_stress = "2 GPa", modulus = "10 GPa"}
+layers = [{thickness = "1 um", young_modulus = "100 GPa", poisson_ratio = 0.3, hardening = {law = "perfect", yield_stress = "0.5 GPa"}}]
+[upper]
+shape = {type = "sphere", radius = "50 um"}
+material = {rigid = true}
+[indentation]
+load = ["5 mN", 0]
+[grid]
+resolution = 12
+)");
+  const std::string report = run({"check", "case.toml"}).out;
+  EXPECT_NE(report.find("# First yield with layers, in layer 1 of the lower body: approach"), std::string::npos) << report;
+  EXPECT_NE(report.find("# First yield without layers ("), std::string::npos) << report;
+  // The substrate alone would stay elastic: nobody is told that nothing will yield.
+  EXPECT_EQ(keys_of({}), Keys{});
+  const Json of_run = summary();
+  const Json& critical = of_run.at("critical");
+  EXPECT_EQ(critical.at("with_layers").at("layer"), 0);
+  EXPECT_LT(critical.at("with_layers").at("load_N").get<double>(), 0.1 * critical.at("load_N").get<double>());
+  EXPECT_GT(of_run.at("residual").at("max_equivalent_plastic_strain").get<double>(), 0.0);
+}
+
 // Waves over a period, pressed so lightly that their mean planes stay apart.
 TEST_F(QualityOfRuns, RoughFlatsTellOfWavesAndOfMeanPlanes)
 {

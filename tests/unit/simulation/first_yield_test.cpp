@@ -146,6 +146,38 @@ TEST(FirstYield, HasAReasonWhereItIsNotInClosedForm)
   EXPECT_EQ(reason(t), "neither body can yield");
 }
 
+TEST(FirstYield, WithLayersIsThatOfTheWeakestPart)
+{
+  TuggingCase t = spheres(4.0);
+  EXPECT_FALSE(coated_yield(t.lower, t.upper, t.domain)) << "no layers";
+  const double a_c = nominal_first_yield(t.lower, t.upper, t.domain)->critical.contact_radius;
+  // Layers of the body's own material change nothing.
+  t.lower.material.layers = {{0.3 * a_c, t.lower.material.elastic, t.lower.material.hardening},
+                             {0.2 * a_c, t.lower.material.elastic, t.lower.material.hardening}};
+  const auto same = coated_yield(t.lower, t.upper, t.domain);
+  ASSERT_TRUE(same);
+  EXPECT_NEAR(same->approach / critical_interference, 1.0, 5e-3) << "its stress is right to 0.5 %, the fit of C to 0.15 %";
+  // Half of the yield stress at the depth of the largest stress: a quarter of the approach, as if all were as weak.
+  t.lower.material.layers[1].hardening = constitutive::PerfectPlasticity{0.5 * 0.9115e9};
+  t.lower.material.layers[0].hardening = constitutive::PerfectPlasticity{0.5 * 0.9115e9};
+  const auto weak = coated_yield(t.lower, t.upper, t.domain);
+  ASSERT_TRUE(weak);
+  EXPECT_NEAR(weak->approach / critical_interference, 0.25, 2e-3);
+  EXPECT_LT(weak->place.layer, 2U);
+  EXPECT_FALSE(weak->in_upper);
+  // The yield profile of the body holds for its layers.
+  t.lower.material.yield_factor = constitutive::DepthProfile({0.0}, {2.0});
+  EXPECT_NEAR(coated_yield(t.lower, t.upper, t.domain)->approach / critical_interference, 1.0, 5e-3);
+  // Not for lines, nor without a law.
+  TuggingCase line = cylinders();
+  line.lower.material.layers = t.lower.material.layers;
+  EXPECT_FALSE(coated_yield(line.lower, line.upper, line.domain));
+  for (auto& layer : t.lower.material.layers)
+    layer.hardening.reset();
+  t.lower.material.hardening = t.upper.material.hardening = std::nullopt;
+  EXPECT_FALSE(coated_yield(t.lower, t.upper, t.domain));
+}
+
 TEST(FirstYield, ComesSoonerWithFriction)
 {
   const TuggingCase t = spheres(4.0);
