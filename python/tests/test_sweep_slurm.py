@@ -250,7 +250,8 @@ def test_a_folder_that_is_not_there_on_a_node_is_told(tmp_path: Path) -> None:
         wait_for(lambda: output.exists() and arrays_of(output), "the array")
         (array,) = arrays_of(output)
         shutil.rmtree(array.folder)  # as if the node did not see it
-        subprocess.run(["scontrol", "release", array.job], check=True)
+        release = ["scontrol", "release", array.job]  # refused for a moment after the job was submitted
+        wait_for(lambda: subprocess.run(release).returncode == 0, "a job that can be released")
 
     thread = threading.Thread(target=hide)
     thread.start()

@@ -103,13 +103,15 @@ std::vector<ExpectedError> expected_errors(const Facts& f, double contact, const
   const std::optional<double> of_lower = seen ? growth_of_lower(*seen) : 1.0;
   const double of_steps = !yields && f.forgets_if_elastic ? 0.0 : error_of_steps(f);
   const bool is_textured = f.cells_per_texture.has_value();
+  const bool is_coated = std::ranges::any_of(f.materials, [](const constitutive::Material* material)
+                                             { return material->is_plastic() && !material->layers.empty(); });
   std::vector<ExpectedError> errors;
   for (const Documented& d : all_documented(f))
     if ((yields || d.of == Documented::Of::elastic_contact) && (of_lower || !d.is_of_lower))
     {
       const bool by_zone =
           d.of == Documented::Of::plastic_zone || (is_textured && d.of != Documented::Of::elastic_contact);
-      const double from_cells = (is_textured ? d.on_textures : 1.0) * d.error *
+      const double from_cells = (is_textured ? d.on_textures : 1.0) * (is_coated ? d.on_coats : 1.0) * d.error *
                                 std::pow(d.cells / (by_zone ? lengths.zone : lengths.contact), d.order);
       const double growth = d.is_of_lower ? *of_lower : 1.0;
       errors.push_back(

@@ -34,6 +34,7 @@ struct Documented
       false; ///< a dent of the lower body, whose relative error grows where the upper body has the larger dents
   double further = 0.0;     ///< further error, which depends neither on the cells nor on the steps
   double on_textures = 1.0; ///< factor on `error` where a body has a texture, with its shortest length in cells
+  double on_coats = 1.0;    ///< factor on `error` where a body that yields has layers
 };
 
 /// Regions of the rows.

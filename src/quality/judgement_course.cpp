@@ -35,9 +35,10 @@ double yield_stress_of_surfaces(const Facts& facts, const std::array<double, 2>*
   for (std::size_t side = 0; side < 2; ++side)
   {
     const constitutive::Material& material = *facts.materials[side];
-    if (!material.is_plastic())
+    const auto& law = material.layers.empty() ? material.hardening : material.layers.front().hardening;
+    if (!law)
       continue;
-    double yield = material.yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(material.law());
+    double yield = material.yield_factor.at(0.0, 1.0) * constitutive::initial_yield_stress(*law);
     if (hottest != nullptr && material.softening)
       yield *= constitutive::softening_factor(*material.softening, (*hottest)[side]);
     least = std::min(least, yield);

@@ -68,8 +68,11 @@ Matrix fredholm(double a, double modulus, const ElasticStack& lower, const Elast
   if (std::isinf(thickness))
     return matrix;
   constexpr double decays = 40.0; // what the layers add decays with the way to their bottom and back
+  // The longest waves see the substrate, those of the length that a stiff layer stretches over begin to see the layer.
+  constexpr double longest = 1e-3;
+  const double first = longest * std::min(1.0, a / std::max(lower.thickness(), upper.thickness()));
   LegendreWaves waves(terms);
-  for_each_wave(0.5 * decays * a / thickness,
+  for_each_wave(0.5 * decays * a / thickness, first,
                 [&](double x, double weight)
                 {
                   const double k = x / a;
@@ -90,7 +93,9 @@ CoatedContact contact_at(double wanted, double power, double first, Value value,
 {
   constexpr double tolerance = 1e-13;
   constexpr int most_steps = 100;
-  double below = 0.0, above = std::numeric_limits<double>::infinity(), a = first;
+  // Beyond the widest contact, where a homogeneous body of the top material may lie, the constructor throws.
+  const double widest = thinnest_top(lower.merged(), upper.merged()) / CoatedContact::thinnest;
+  double below = 0.0, above = std::numeric_limits<double>::infinity(), a = std::min(first, widest);
   for (int step = 0;; ++step)
   {
     CoatedContact contact(radius, a, lower, upper);
@@ -99,7 +104,8 @@ CoatedContact contact_at(double wanted, double power, double first, Value value,
       return contact;
     (ratio < 1.0 ? below : above) = a;
     const double next = a * std::pow(ratio, -1.0 / power);
-    a = next > below && next < above ? next : 0.5 * (below + above);
+    const double inside = next > below && next < above ? next : 0.5 * (below + above);
+    a = a == widest && ratio < 1.0 ? inside : std::min(inside, widest);
   }
 }
 

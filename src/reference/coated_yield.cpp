@@ -34,10 +34,10 @@ std::vector<Level> levels_of(const ElasticStack& body, double a)
     top = std::min(top, 0.25 * body.layers.front().thickness);
   std::vector<Level> levels;
   double end = 0.0;
-  for (std::size_t layer = 0; layer <= body.layers.size() && top < deepest * a; ++layer)
+  for (std::size_t layer = 0; layer <= body.layers.size(); ++layer)
   {
     end = layer < body.layers.size() ? end + body.layers[layer].thickness : std::numeric_limits<double>::infinity();
-    const double bottom = std::min(end, deepest * a);
+    const double bottom = std::max(top, std::min(end, deepest * a)); // deeper the stress falls: the top counts
     const auto points =
         std::max(points_of_layer, 1 + static_cast<std::size_t>(std::ceil((bottom - top) / (depth_step * a))));
     for (std::size_t i = 0; i < points; ++i)
@@ -80,7 +80,8 @@ std::vector<Sums> stress_at(const CoatedContact& contact, const ElasticStack& bo
       12.0; // of a wave down to a level; its part of the pressure and its Bessel functions decay as well
   const double a = contact.contact_radius();
   std::vector<Sums> sums(levels.size() * points_along_r);
-  for_each_wave(decays * a / levels.front().depth,
+  constexpr double longest = 1e-3;
+  for_each_wave(decays * a / levels.front().depth, longest * std::min(1.0, a / levels.back().depth),
                 [&](double x, double weight)
                 {
                   const double k = x / a;

@@ -142,7 +142,8 @@ load = ["5 mN", 0]
 resolution = 12
 )");
   const std::string report = run({"check", "case.toml"}).out;
-  EXPECT_NE(report.find("# First yield with layers, in layer 1 of the lower body: approach"), std::string::npos) << report;
+  EXPECT_NE(report.find("# First yield with layers, in layer 1 of the lower body: approach"), std::string::npos)
+      << report;
   EXPECT_NE(report.find("# First yield without layers ("), std::string::npos) << report;
   // The substrate alone would stay elastic: nobody is told that nothing will yield.
   EXPECT_EQ(keys_of({}), Keys{});

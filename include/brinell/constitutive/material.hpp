@@ -67,6 +67,8 @@ struct Material
   [[nodiscard]] ElasticStack stack() const;
   /// Resistivities at the temperature of the bulk; the material and its layers must conduct.
   [[nodiscard]] ConductiveStack conductors() const;
+  /// Constants at the surface.
+  [[nodiscard]] const Elastic& top() const { return layers.empty() ? elastic : layers.front().elastic; }
   /// The constants, among those of the substrate and the layers, with the largest contact compliance.
   [[nodiscard]] const Elastic& softest() const;
   bool operator==(const Material&) const = default;

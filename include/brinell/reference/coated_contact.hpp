@@ -59,8 +59,9 @@ struct CoatedPeak
 };
 
 /// Where the von Mises stress in one body is largest compared with its strength, within 1.2 contact radii of the axis and 2.5 in
-/// /// depth; at an interface both sides count. Its error is about 0.5 %: points are 0.05 contact radii apart in depth and 0.1 along r, and
-/// the uppermost are a quarter of the first layer, at most 0.02 contact radii, beneath the surface.
+/// depth, and at the top of each deeper layer; at an interface both sides count. Its error is about 0.5 %: points are 0.05 contact
+/// radii apart in depth and 0.1 along r, and the uppermost are a quarter of the first layer, at most 0.02 contact radii, beneath the
+/// surface.
 /// @param strength  yield stress [Pa] of a layer at a depth [m]; infinite where a layer stays elastic
 [[nodiscard]] CoatedPeak peak_stress(const CoatedContact& contact, const ElasticStack& body,
                                      const std::function<double(std::size_t layer, double depth)>& strength);

@@ -187,7 +187,8 @@ class Run(OfScenarios):
         """
         cells = (self._value("grid", "spacing_m")[0], self._value("grid", "spacing_m")[1])
         boundary = str(self.case("grid", "boundary") or "open")
-        modulus = self._number("geometry", "contact_modulus_Pa")
+        layered = "surface_modulus_Pa" in self.summary["geometry"]
+        modulus = self._number("geometry", "surface_modulus_Pa" if layered else "contact_modulus_Pa")
         return patches_of(self.snapshot(which).contact, (float(cells[0]), float(cells[1])), boundary, modulus)
 
     @cached_property

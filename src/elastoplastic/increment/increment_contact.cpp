@@ -92,7 +92,7 @@ double tolerance_of_gap(const ContactParts& c)
 {
   constexpr double rounding = 1e-12;
   const constitutive::Material &lower = c.sides.front().body.material(), &upper = c.sides.back().body.material();
-  const double modulus = contact_modulus(lower.elastic, upper.elastic);
+  const double modulus = contact_modulus(lower.top(), upper.top());
   double usual = c.settings.tolerance_of_contact() * c.scales.gap;
   for (const constitutive::Material* material : {&lower, &upper})
     usual = std::min(usual, std::max(rounding * c.scales.gap,

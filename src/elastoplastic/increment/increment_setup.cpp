@@ -96,7 +96,7 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
     throw InternalError("CoupledContact: bodies on which an effect acts in different ways are not twins");
   c.effects =
       make_effects(sliding.effects, c.compliance, lower, upper,
-                   contact_modulus(lower_material.elastic, upper_material.elastic), {&lower_material, &upper_material});
+                   contact_modulus(lower_material.top(), upper_material.top()), {&lower_material, &upper_material});
   const auto half_space = operators(lower, lower_material, ranks);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),

@@ -15,8 +15,9 @@ namespace brinell::halfspace
 
 using green::WaveLoad;
 
-void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack)
+void require_resolved(const SurfaceGrid& grid, const ElasticStack& given)
 {
+  const ElasticStack stack = given.merged();
   if (stack.is_homogeneous() || grid.is_periodic())
     return;
   constexpr double least = 0.25; // of a cell

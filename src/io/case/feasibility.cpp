@@ -39,10 +39,10 @@ std::string coated_report(const reference::CoatedYield& yield, const simulation:
           ? fmt::format("layer {} of the {} body", yield.place.layer + 1, yield.in_upper ? "upper" : "lower")
           : fmt::format("the {} body{}", yield.in_upper ? "upper" : "lower",
                         material.layers.empty() ? "" : " beneath its layers");
-  return fmt::format("# First yield with layers, in {}: approach {:.4e} m, load {:.4e} N, contact radius {:.4e} m, "
+  return fmt::format("# First yield with layers{}, in {}: approach {:.4e} m, load {:.4e} N, contact radius {:.4e} m, "
                      "pressure on the axis {:.4e} Pa;\n#   at a depth of {:.4e} m, {:.4e} m from the axis\n",
-                     part, yield.approach, yield.load, yield.contact_radius, yield.peak_pressure, yield.place.depth,
-                     yield.place.r);
+                     s.friction.coefficient > 0.0 ? " and without friction" : "", part, yield.approach, yield.load,
+                     yield.contact_radius, yield.peak_pressure, yield.place.depth, yield.place.r);
 }
 
 std::string critical_report(const Case& c)

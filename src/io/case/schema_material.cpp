@@ -226,8 +226,8 @@ Entries layer_entries(const std::string& material)
                 .text = "Thickness of a layer that is bonded to what is beneath. Several are a list of tables from "
                         "the surface down, on a substrate that has the constants of the material: layers = "
                         "[{thickness = \"2 um\", young_modulus = \"400 GPa\", poisson_ratio = 0.2}, ...]; --set "
-                        "then names one as layers[0].thickness. Critical values and estimates are those of the "
-                        "substrate.",
+                        "then names one as layers[0].thickness. Units of normalised quantities and "
+                        "estimates are those of the substrate.",
                 .hint = "hard coatings have 1 to 10 um"},
                {.key = "young_modulus",
                 .of = kind::pressure.above(0.0),

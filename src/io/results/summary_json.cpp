@@ -281,6 +281,13 @@ Json geometry_json(const Case& c)
   Json json = {{"equivalent_radius_m", nullptr}, {"contact_modulus_Pa", c.contact_modulus}};
   if (c.equivalent_radius)
     json["equivalent_radius_m"] = *c.equivalent_radius;
+  const auto [lower, upper] = std::visit(
+      [](const auto& s) {
+        return std::pair{&s.lower.material, &s.upper.material};
+      },
+      c.scenario);
+  if (!lower->layers.empty() || !upper->layers.empty())
+    json["surface_modulus_Pa"] = contact_modulus(lower->top(), upper->top());
   return json;
 }
 

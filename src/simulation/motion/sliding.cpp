@@ -160,7 +160,7 @@ private:
   {
     const contact::Patches found =
         contact::patches(pair.grid(), pair.pressure(), pair.gap(),
-                         contact_modulus(case_.lower.material.elastic, case_.upper.material.elastic));
+                         contact_modulus(case_.lower.material.top(), case_.upper.material.top()));
     r.patches = static_cast<int>(found.area.size());
     r.largest_patch = found.area.empty() ? 0.0 : *std::max_element(found.area.begin(), found.area.end());
   }

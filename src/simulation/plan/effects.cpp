@@ -154,6 +154,37 @@ void require_layers_conduct(const constitutive::Material& material, const std::s
                     given_of(drive), given_of(drive.film), member_of(body, "material.layers"));
 }
 
+/// Checks that voltage and temperature follow Kohlrausch under a coat (docs/theory/electrical.md, layers): the bulk is equally warm, all
+/// follow Wiedemann and Franz, and their resistivities grow alike. A surface between metals of other kinds is not an equipotential.
+void require_like_conductors(const PairCase& c)
+{
+  const constitutive::Material &lower = c.lower.material, &upper = c.upper.material;
+  if ((lower.layers.empty() && upper.layers.empty()) || !c.current.drives() || !lower.electrical || !upper.electrical)
+    return;
+  const std::string why = "the temperature of a current in coated bodies follows from the voltage only where ";
+  if (lower.temperature != upper.temperature)
+    throw PlanError("{} with {} = {:g} degC and {} = {:g} degC: {}both are equally warm; allowed: the same temperature",
+                    given_of(c.current), member_of("lower", "material.temperature"), lower.temperature,
+                    member_of("upper", "material.temperature"), upper.temperature, why);
+  for (const auto& [name, material] : {std::pair{"lower", &lower}, {"upper", &upper}})
+  {
+    if (material->thermal)
+      throw PlanError("{} with {} and layers: {}heat is conducted as current is; allowed: no thermal constants, or no "
+                      "layers",
+                      given_of(c.current), member_of(name, "material.thermal"), why);
+    std::vector<constitutive::Electrical> all{*material->electrical};
+    for (const constitutive::Coat& layer : material->layers)
+      all.push_back(*layer.electrical);
+    for (const constitutive::Electrical& one : all)
+      if (one.temperature_coefficient != lower.electrical->temperature_coefficient)
+        throw PlanError(
+            "{} with temperature coefficients of {:g} and {:g} 1/K and layers: {}all resistivities grow alike; "
+            "allowed: the same {} of both bodies and their layers",
+            given_of(c.current), lower.electrical->temperature_coefficient, one.temperature_coefficient, why,
+            member_of(name, "material.electrical.temperature_coefficient"));
+  }
+}
+
 void require_current(const PairCase& c, const std::string& why_no_slip)
 {
   const CurrentDrive& drive = c.current;
@@ -184,6 +215,7 @@ void require_current(const PairCase& c, const std::string& why_no_slip)
       throw PlanError("{}: the {} body insulates; allowed: with {}", given, name,
                       member_of(name, "material.electrical.resistivity"));
   }
+  require_like_conductors(c);
 }
 
 constexpr std::array checks{require_current, require_wear};

@@ -37,6 +37,8 @@ void check_layers(const PairCase& c, const Plan& plan)
     try
     {
       halfspace::require_resolved(plan.contact, body->material.stack());
+      if (body->material.electrical)
+        halfspace::require_resolved(plan.contact, in_shear(body->material.conductors()));
       if (body->material.is_plastic())
         halfspace::require_aligned(*grid, body->material.stack());
     }

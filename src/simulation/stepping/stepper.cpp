@@ -184,9 +184,10 @@ int Stepper::onset_increments(double from) const
 {
   double strength = std::numeric_limits<double>::infinity(); // in shear, where a body is weakest
   for (const constitutive::Material* material : {&setup_.lower, &setup_.upper})
-    if (material->is_plastic())
-      strength = std::min(strength, smallest_yield_factor(*material) *
-                                        constitutive::initial_yield_stress(material->law()) / std::sqrt(3.0));
+    for (const auto& law : material->laws())
+      if (law)
+        strength = std::min(strength, smallest_yield_factor(*material) * constitutive::initial_yield_stress(*law) /
+                                          std::sqrt(3.0));
   const std::span<const double> pressure = pair_->pressure();
   const double peak = *std::max_element(pressure.begin(), pressure.end());
   const double parts = setup_.solver.onset_increments;

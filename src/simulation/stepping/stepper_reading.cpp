@@ -97,7 +97,7 @@ void Stepper::fill(StepRecord& r) const
   const elastoplastic::BodyState& lower = pair_->lower().solved().state();
   const elastoplastic::BodyState& upper = pair_->upper().solved().state();
   r.contact_area = contact::contact_area(pair_->grid(), pair_->pressure(), pair_->gap(),
-                                         contact_modulus(setup_.lower.elastic, setup_.upper.elastic));
+                                         contact_modulus(setup_.lower.top(), setup_.upper.top()));
   for (const double p : pair_->pressure())
     r.max_pressure = std::max(r.max_pressure, p);
   r.F_n = pair_->load();

@@ -148,6 +148,16 @@ TEST(CoatedContactTest, LoadOrApproachMayBeGiven)
       EXPECT_NEAR(CoatedContact::at_approach(radius, contact.approach(), lower, rigid).contact_radius() / a, 1.0,
                   1e-12);
     }
+  // The first guess, a body of the soft coat alone, is wider than what can be resolved.
+  for (const double ratio : {20.0, 40.0, 49.9})
+  {
+    const ElasticStack soft = coated(a / ratio, 2.1e9);
+    const CoatedContact contact(radius, a, soft, rigid);
+    EXPECT_NEAR(CoatedContact::at_load(radius, contact.load(), soft, rigid).contact_radius() / a, 1.0, 1e-11);
+  }
+  const ElasticStack soft = coated(a / 50.0, 2.1e9);
+  const double most = CoatedContact(radius, a, soft, rigid).load();
+  EXPECT_THROW(static_cast<void>(CoatedContact::at_load(radius, 2.0 * most, soft, rigid)), InputError);
 }
 
 /// Two spheres with layers of their own: displacements add up, whichever body is called the lower one.
@@ -273,6 +283,33 @@ TEST(CoatedYieldTest, TheWeakerPartYields)
   const CriticalValues alone =
       critical_values(radius, contact_modulus({420e9, 0.25}, steel), first_yield(0.25).pressure_ratio, 0.05e9);
   EXPECT_NEAR(small / alone.load, 1.0, 0.01);
+}
+
+/// A substrate beneath a thick coat that stays elastic, or is stronger, yields at the interface.
+TEST(CoatedYieldTest, SubstratesYieldBeneathThickCoats)
+{
+  const auto at = [](double thickness, double of_layer, double of_substrate)
+  {
+    return coated_first_yield(radius, coated(thickness, 400e9, 0.2), rigid,
+                              [=](std::size_t layer, double) { return layer == 0 ? of_layer : of_substrate; }, {});
+  };
+  double before = 0.0; // load
+  for (double thickness = 1e-6; thickness < 80e-6; thickness *= 1.3)
+  {
+    const auto yield = at(thickness, inf, 2e9);
+    ASSERT_TRUE(yield) << thickness;
+    EXPECT_EQ(yield->place.layer, 1U);
+    if (before > 0.0)
+    {
+      EXPECT_GT(yield->load, 0.85 * before) << "no jump from one thickness to the next";
+      EXPECT_LT(yield->load, 2.0 * before);
+    }
+    before = yield->load;
+  }
+  // Deep beneath a small contact the stress is that of a point load: proportional to it, and no part of the pressure's width.
+  const double thickness = 40e-6, weak = at(thickness, inf, 0.02e9)->load;
+  EXPECT_NEAR(at(thickness, inf, 0.01e9)->load / weak, 0.5, 5e-3);
+  EXPECT_EQ(at(2e-6, 15e9, 0.05e9)->place.layer, 1U) << "weaker by far, though the coat has more stress";
 }
 
 TEST(CoatedYieldTest, NothingYieldsThatIsStrongEnough)

@@ -223,6 +223,36 @@ TEST(Current, RefusesWhatCannotFlow)
   refused("not less than the film", [](auto& c) { c.current.film = {.resistance = 2e-12, .limit = 1e-12}; });
   refused("nothing wears", [](auto& c) { c.current.film = {.resistance = 2e-12, .wear = 1.0}; });
   refused("FilmLaw::resistance", [](auto& c) { c.current.film.resistance = -1e-12; });
+  // Under a coat voltage and temperature follow Kohlrausch only where all conductors are alike.
+  const auto plated = [](auto& c)
+  {
+    c.lower.material.thermal = c.upper.material.thermal = std::nullopt;
+    c.lower.material.temperature = c.upper.material.temperature = 20.0;
+    c.upper.material.electrical->temperature_coefficient = c.lower.material.electrical->temperature_coefficient;
+    c.lower.material.layers = {
+        {1e-3, c.lower.material.elastic, c.lower.material.hardening, c.lower.material.electrical}};
+  };
+  IndentationCase allowed = ball();
+  plated(allowed);
+  EXPECT_NO_THROW(static_cast<void>(plan(allowed)));
+  refused("both are equally warm",
+          [&](auto& c)
+          {
+            plated(c);
+            c.upper.material.temperature = 80.0;
+          });
+  refused("all resistivities grow alike",
+          [&](auto& c)
+          {
+            plated(c);
+            c.lower.material.layers[0].electrical->temperature_coefficient += 1e-3;
+          });
+  refused("heat is conducted as current is",
+          [&](auto& c)
+          {
+            plated(c);
+            c.upper.material.thermal = Thermal{.conductivity = 50.0, .density = 7850.0, .specific_heat = 460.0};
+          });
   const auto map = [](double thickness)
   { return HeightMap{.nx = 1, .ny = 1, .dx = 1e-4, .dy = 1e-4, .heights = {thickness}}; };
   refused("has no resistivity", [&](auto& c) { c.lower.film = map(1e-9); });

@@ -156,7 +156,8 @@ TEST(FirstYield, WithLayersIsThatOfTheWeakestPart)
                              {0.2 * a_c, t.lower.material.elastic, t.lower.material.hardening}};
   const auto same = coated_yield(t.lower, t.upper, t.domain);
   ASSERT_TRUE(same);
-  EXPECT_NEAR(same->approach / critical_interference, 1.0, 5e-3) << "its stress is right to 0.5 %, the fit of C to 0.15 %";
+  EXPECT_NEAR(same->approach / critical_interference, 1.0, 5e-3)
+      << "its stress is right to 0.5 %, the fit of C to 0.15 %";
   // Half of the yield stress at the depth of the largest stress: a quarter of the approach, as if all were as weak.
   t.lower.material.layers[1].hardening = constitutive::PerfectPlasticity{0.5 * 0.9115e9};
   t.lower.material.layers[0].hardening = constitutive::PerfectPlasticity{0.5 * 0.9115e9};
