@@ -23,6 +23,7 @@ def test_a_floor_is_touched_with_all_that_may_include_it() -> None:
     import changes
 
     assert changes.floors({"src/contact/patches.cpp", "docs/index.md"}) == [
+        "device",
         "contact",
         "elastoplastic",
         "simulation",

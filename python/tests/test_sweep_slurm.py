@@ -2,6 +2,7 @@
 # ruff: noqa: E402 (the extra is asked for first)
 """Sweeps by a real Slurm on this machine: tables, failures, cancelled tasks, a killed process on the login node."""
 
+import json
 import shutil
 import signal
 import subprocess
@@ -247,7 +248,11 @@ def test_a_folder_that_is_not_there_on_a_node_is_told(tmp_path: Path) -> None:
     output = tmp_path / "sweep"
 
     def hide() -> None:
-        wait_for(lambda: output.exists() and arrays_of(output), "the array")
+        def is_submitted() -> bool:  # arrays_of would take a submission under way for one of a killed process
+            records = [record.read_text("utf-8") for record in output.glob("slurm/*/submission.json")]
+            return any(json.loads(record)["job"] for record in records)
+
+        wait_for(is_submitted, "the array")
         (array,) = arrays_of(output)
         shutil.rmtree(array.folder)  # as if the node did not see it
         release = ["scontrol", "release", array.job]  # refused for a moment after the job was submitted

@@ -183,7 +183,7 @@ double CoatedContact::pressure(double r) const
     return 0.0;
   // p = -E'/2 integral_r^a phi'(t) / sqrt(t^2 - r^2) dt, with t^2 = r^2 + (a^2 - r^2) u^2; phi'(t)/t is smooth.
   double integral = 0.0;
-  const double panels = static_cast<double>(phi_.size());
+  const auto panels = static_cast<double>(phi_.size());
   for (double panel = 0.0; panel < panels; ++panel)
     for (std::size_t i = 0; i < gauss_point.size(); ++i)
       for (const double side : {-1.0, 1.0})

@@ -34,13 +34,14 @@ std::vector<std::string> shortening(const std::string& name)
   return settings;
 }
 
-/// All cases but that of fatigue, which ranks refuse.
+/// All cases but those of fatigue and of inclusions, which ranks refuse.
 std::vector<std::string> shareable_cases()
 {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(BRINELL_SOURCE_DIR "/cases"))
-    if (fs::exists(entry.path() / "case.toml") && entry.path().filename() != "rolling-fatigue")
-      names.push_back(entry.path().filename().string());
+    if (const std::string name = entry.path().filename().string();
+        fs::exists(entry.path() / "case.toml") && name != "rolling-fatigue" && name != "rolling-inclusion")
+      names.push_back(name);
   std::sort(names.begin(), names.end());
   return names;
 }

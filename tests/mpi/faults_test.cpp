@@ -238,7 +238,9 @@ TEST_F(Faults, BadInputIsToldOnce)
            {{"run", "-q", "case-0.toml", "-o", "out", "--resume"}, "there is no stopped run"},
            {{"run", "-q", "case-0.toml", "-o", "file/out"}, "file/out"},
            {{"run", "-q", BRINELL_SOURCE_DIR "/cases/rolling-fatigue/case.toml", "-o", "out"},
-            "is not available where 3 processes"}})
+            "is not available where 3 processes"},
+           {{"run", "-q", BRINELL_SOURCE_DIR "/cases/rolling-inclusion/case.toml", "-o", "out"},
+            "lower.inclusion is not available where 3 processes"}})
   {
     SCOPED_TRACE(what);
     const Outcome outcome = run(3, words);

@@ -48,7 +48,7 @@ struct InclusionReader
     InclusionShape result{kind, centre(), half_sizes()};
     if (kind == InclusionShape::Kind::cylinder)
     {
-      const std::string& axis = reader.get<std::string>(table + "axis");
+      const auto& axis = reader.get<std::string>(table + "axis");
       result.axis = axis == "x" ? 0 : axis == "y" ? 1 : 2;
     }
     return result;
@@ -136,7 +136,7 @@ struct InclusionReader
       result.region = voxels();
     else
       result.region = shape(type == "ellipsoid" ? Kind::ellipsoid : type == "cuboid" ? Kind::cuboid : Kind::cylinder);
-    const std::string& content = reader.get<std::string>(table + "content");
+    const auto& content = reader.get<std::string>(table + "content");
     if (content == "elastic")
     {
       result.elastic = {reader.get<double>(table + "young_modulus"), reader.get<double>(table + "poisson_ratio")};
