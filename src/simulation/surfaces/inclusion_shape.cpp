@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <numbers>
 #include <random>
 #include <utility>
@@ -16,9 +17,51 @@ namespace brinell::simulation
 namespace
 {
 
+/// Balls by cubes of an edge, beyond whose neighbours no two balls come near each other.
+class BallsByCubes
+{
+public:
+  explicit BallsByCubes(double edge) : edge_(edge) {}
+
+  void add(const InclusionShape& ball) { balls_[cube_of(ball)].push_back(ball); }
+
+  /// Whether a ball keeps a gap to all others.
+  [[nodiscard]] bool has_room(const InclusionShape& ball, double gap) const;
+
+private:
+  using Cube = std::array<double, 3>; ///< whole numbers, also large ones
+
+  [[nodiscard]] Cube cube_of(const InclusionShape& ball) const
+  {
+    return {std::floor(ball.centre[0] / edge_), std::floor(ball.centre[1] / edge_), std::floor(ball.centre[2] / edge_)};
+  }
+
+  double edge_;
+  std::map<Cube, std::vector<InclusionShape>> balls_;
+};
+
 double square(double x)
 {
   return x * x;
+}
+
+bool BallsByCubes::has_room(const InclusionShape& ball, double gap) const
+{
+  const auto is_apart = [&](const InclusionShape& other)
+  {
+    const double distance =
+        std::sqrt(square(ball.centre[0] - other.centre[0]) + square(ball.centre[1] - other.centre[1]) +
+                  square(ball.centre[2] - other.centre[2]));
+    return distance >= ball.semi_axes[0] + other.semi_axes[0] + gap;
+  };
+  const Cube middle = cube_of(ball);
+  for (int n = 0; n < 27; ++n)
+  {
+    const auto found = balls_.find({middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1});
+    if (found != balls_.end() && !std::ranges::all_of(found->second, is_apart))
+      return false;
+  }
+  return true;
 }
 
 void require_sizes(const InclusionShape& shape)
@@ -32,28 +75,52 @@ void require_sizes(const InclusionShape& shape)
     throw InputError(fmt::format("an inclusion has the axis {}; allowed: 0, 1, 2 for x, y, z", shape.axis));
 }
 
+/// Columns (rows) of a grid that may be in a region from `from` to `to`, with their coordinates: along a period those of the image
+/// that is nearest to the region's middle.
+std::vector<std::pair<int, double>> places_in(double from, double to, double first, double step, int count,
+                                              bool is_periodic)
+{
+  constexpr double rounding = 1e-10; // an image at either end of the period counts as the one at its beginning
+  std::vector<std::pair<int, double>> places;
+  const double middle = 0.5 * (from + to), period = step * count;
+  places.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+  {
+    double at = first + i * step;
+    if (is_periodic && count == 1) // nothing varies along the axis
+      at = middle;
+    else if (is_periodic)
+      at -= period * std::floor((at - middle) / period + 0.5 + rounding);
+    if (at > from - step && at < to + step)
+      places.emplace_back(i, at);
+  }
+  return places;
+}
+
 /// Cells whose centre is in a region: the region is asked for the centres in a box only.
 template <typename Contains>
 std::vector<std::size_t> cells_in(const VolumeGrid& grid, double x0, double y0, const std::array<double, 3>& from,
                                   const std::array<double, 3>& to, const Contains& contains)
 {
   const SurfaceGrid& s = grid.surface;
-  const auto range = [](double low, double high, double first, double step, int count)
-  {
-    const double begin = std::clamp(std::floor((low - first) / step), 0.0, static_cast<double>(count));
-    const double end = std::clamp(std::ceil((high - first) / step) + 1.0, begin, static_cast<double>(count));
-    return std::array{static_cast<int>(begin), static_cast<int>(end)};
-  };
-  const auto [i0, i1] = range(from[0], to[0], x0, s.dx, s.nx);
-  const auto [j0, j1] = range(from[1], to[1], y0, s.dy, s.ny);
-  const auto [k0, k1] = range(from[2], to[2], 0.5 * grid.dz, grid.dz, grid.nz);
+  const auto columns = places_in(from[0], to[0], x0, s.dx, s.nx, s.is_periodic_x()),
+             rows = places_in(from[1], to[1], y0, s.dy, s.ny, s.is_periodic_y()),
+             layers = places_in(from[2], to[2], 0.5 * grid.dz, grid.dz, grid.nz, false);
   std::vector<std::size_t> cells;
-  for (int k = k0; k < k1; ++k)
-    for (int j = j0; j < j1; ++j)
-      for (int i = i0; i < i1; ++i)
-        if (contains(x0 + i * s.dx, y0 + j * s.dy, (k + 0.5) * grid.dz))
+  for (const auto& [k, z] : layers)
+    for (const auto& [j, y] : rows)
+      for (const auto& [i, x] : columns)
+        if (contains(x, y, z))
           cells.push_back(grid.index(i, j, k));
   return cells;
+}
+
+/// Whether a place in units of the semi-axis is between two faces. Cells whose centre is on a face belong to the region that begins
+/// there, so that regions that touch share none and leave none.
+bool is_between_faces(double part)
+{
+  constexpr double rounding = 1e-9;
+  return part >= -1.0 - rounding && part < 1.0 - rounding;
 }
 
 } // namespace
@@ -68,17 +135,17 @@ double InclusionShape::volume() const
 
 bool InclusionShape::contains(double x, double y, double z) const
 {
-  const std::array<double, 3> scaled{std::abs(x - centre[0]) / semi_axes[0], std::abs(y - centre[1]) / semi_axes[1],
-                                     std::abs(z - centre[2]) / semi_axes[2]};
+  const std::array<double, 3> scaled{(x - centre[0]) / semi_axes[0], (y - centre[1]) / semi_axes[1],
+                                     (z - centre[2]) / semi_axes[2]};
   const double squares = square(scaled[0]) + square(scaled[1]) + square(scaled[2]);
   switch (kind)
   {
   case Kind::cuboid:
-    return std::ranges::all_of(scaled, [](double part) { return part < 1.0; });
+    return std::ranges::all_of(scaled, is_between_faces);
   case Kind::cylinder:
   {
     const double along = scaled[static_cast<std::size_t>(axis)];
-    return along < 1.0 && squares - square(along) < 1.0;
+    return is_between_faces(along) && squares - square(along) < 1.0;
   }
   case Kind::ellipsoid:
     break;
@@ -113,13 +180,14 @@ std::vector<std::size_t> cells_of(const InclusionVoxels& voxels, const VolumeGri
   std::array<double, 3> to{};
   for (std::size_t i = 0; i < 3; ++i)
     to[i] = voxels.corner[i] + voxels.count[i] * voxels.size;
+  constexpr double rounding = 1e-9; // a cell on the face between two voxels belongs to the one that begins there
   const auto contains = [&](double x, double y, double z)
   {
     std::size_t place = 0, next = 1;
     const std::array<double, 3> at{x, y, z};
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const double number = std::floor((at[i] - voxels.corner[i]) / voxels.size);
+      const double number = std::floor((at[i] - voxels.corner[i]) / voxels.size + rounding);
       if (number < 0.0 || number >= voxels.count[i])
         return false;
       place += next * static_cast<std::size_t>(number);
@@ -144,6 +212,7 @@ std::vector<InclusionShape> shapes_of(const InclusionCluster& cluster)
   const auto uniform = [&](double low, double high)
   { return low + (high - low) * (static_cast<double>(engine() >> 11U) * 0x1p-53); };
   constexpr int most_attempts = 10000; // of one ball
+  BallsByCubes placed(2.0 * cluster.largest_radius + cluster.gap);
   std::vector<InclusionShape> balls;
   balls.reserve(static_cast<std::size_t>(cluster.count));
   for (int attempt = 0; balls.size() < static_cast<std::size_t>(cluster.count); ++attempt)
@@ -162,15 +231,9 @@ std::vector<InclusionShape> shapes_of(const InclusionCluster& cluster)
       fits = fits && room >= 0.0;
       ball.centre[i] = cluster.centre[i] + uniform(-1.0, 1.0) * std::max(0.0, room);
     }
-    const auto is_apart = [&](const InclusionShape& other)
-    {
-      const double distance =
-          std::sqrt(square(ball.centre[0] - other.centre[0]) + square(ball.centre[1] - other.centre[1]) +
-                    square(ball.centre[2] - other.centre[2]));
-      return distance >= radius + other.semi_axes[0] + cluster.gap;
-    };
-    if (!fits || !std::ranges::all_of(balls, is_apart))
+    if (!fits || !placed.has_room(ball, cluster.gap))
       continue;
+    placed.add(ball);
     balls.push_back(ball);
     attempt = -1;
   }

@@ -44,6 +44,46 @@ TEST(InclusionShape, CylinderLiesAlongItsAxis)
   EXPECT_FALSE(rod.contains(2.1, 0.0, 2.0));
 }
 
+// Cells whose centre is on a face count once, wherever the grid begins: a cuboid of the period fills the layer.
+TEST(InclusionShape, ACuboidOfThePeriodFillsIt)
+{
+  for (const int n : {15, 16})
+    for (const double shift : {0.0, 0.5, 1.0})
+    {
+      const VolumeGrid layer{{n, n, 0.1, 0.1, Boundary::periodic, Boundary::periodic}, 4, 0.1};
+      const double half = 0.05 * n, first = (shift - (n - 1) / 2) * 0.1;
+      const InclusionShape whole{InclusionShape::Kind::cuboid, {0.0, 0.0, 0.2}, {half, half, 0.05}};
+      EXPECT_EQ(cells_of(whole, layer, first, first).size(), static_cast<std::size_t>(n * n));
+      InclusionVoxels voxels{{n, n, 1}, {-half, -half, 0.15}, 0.1, {}};
+      voxels.is_filled.assign(static_cast<std::size_t>(n * n), 1);
+      EXPECT_EQ(cells_of(voxels, layer, first, first).size(), static_cast<std::size_t>(n * n));
+    }
+}
+
+TEST(InclusionShape, CuboidsThatTouchShareNoCellAndLeaveNone)
+{
+  for (const int n : {15, 16})
+  {
+    const VolumeGrid layer{{n, n, 0.1, 0.1, Boundary::periodic, Boundary::periodic}, 4, 0.1};
+    const double half = 0.05 * n, first = -((n - 1) / 2) * 0.1;
+    std::set<std::size_t> cells;
+    for (const double side : {-1.0, 1.0})
+      for (const std::size_t cell :
+           cells_of({InclusionShape::Kind::cuboid, {0.5 * side * half, 0.0, 0.2}, {0.5 * half, half, 0.2}}, layer,
+                    first, first))
+        EXPECT_TRUE(cells.insert(cell).second);
+    EXPECT_EQ(cells.size(), layer.size());
+  }
+}
+
+// A row without cells along y is a section of something that does not vary along y.
+TEST(InclusionShape, InPlaneStrainThePlaceAlongYDoesNotMatter)
+{
+  const VolumeGrid plane{{16, 1, 0.1, 1.0, Boundary::open, Boundary::periodic}, 4, 0.1};
+  const InclusionShape bar{InclusionShape::Kind::cylinder, {0.0, 0.2, 0.2}, {0.15, 0.05, 0.15}, 1};
+  EXPECT_FALSE(cells_of(bar, plane, -0.7, 0.0).empty());
+}
+
 // A ball whose middle lies in the surface is half a ball; one beyond the grid has no cells.
 TEST(InclusionShape, EndsAtTheSurfaceAndAtTheGrid)
 {
@@ -76,6 +116,13 @@ TEST(InclusionShape, ClusterIsTheSameForASeedAndDoesNotOverlap)
     for (const std::size_t cell : cells_of(balls[a], grid, x0, y0))
       EXPECT_TRUE(cells.insert(cell).second);
   }
+}
+
+// Each ball asks only its neighbours: with the distances of all pairs this would take minutes.
+TEST(InclusionShape, AClusterMayHaveManyBalls)
+{
+  const InclusionCluster cluster{{0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}, 0.004, 0.006, 100000, 0.0, 3};
+  EXPECT_EQ(shapes_of(cluster).size(), 100000U);
 }
 
 TEST(InclusionShape, VoxelsFillTheCellsInThem)
