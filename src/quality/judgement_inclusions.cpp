@@ -37,6 +37,14 @@ void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings)
                "grid.resolution or grid.spacing",
                found.coarsest + 1, body, found.least, percent_text(error_of_inclusion(found)),
                fewest_cells_of_inclusion)});
+    if (found.voxel < 0.999)
+      warnings.push_back(
+          {"fine_voxels",
+           fmt::format(
+               "voxels of an inclusion of the {} body are {:.2g} times as large as the cells, each of which takes "
+               "the voxel at its centre, so that most of them do not count: use a finer grid.resolution or "
+               "grid.spacing, or coarser voxels",
+               body, found.voxel)});
     if (found.cut > 0)
       warnings.push_back(
           {"cut_inclusion", fmt::format("{} of the {} body {} over the edge of the grid and {} computed up to there",

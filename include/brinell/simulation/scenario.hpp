@@ -111,6 +111,7 @@ struct EmbeddedCells
   std::size_t cells = 0;                                  ///< of all inclusions; 0: none
   int layers = 0;                                         ///< down to the deepest
   double least = std::numeric_limits<double>::infinity(); ///< cells along the smallest semi-axis
+  double voxel = std::numeric_limits<double>::infinity(); ///< smallest edge of a voxel, in cells
   std::size_t coarsest = 0;                               ///< index of the inclusion with that semi-axis
   int cut = 0, beside = 0;              ///< shapes that end at the edge of the grid, and that lie beside it
   double contrast = 0.0;                ///< of the coarsest in shear: -1 rigid, 1 void

@@ -2,9 +2,11 @@
 #include "embedding.hpp"
 
 #include "heat.hpp"
+#include "simulation/stepping/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 namespace brinell::simulation
@@ -37,9 +39,9 @@ class Laid
 {
 public:
   /// @param name  "lower" or "upper"
-  Laid(const ShapedBody& body, std::string_view name, const VolumeGrid& grid, double beside)
-      : body_(body), member_(member_of(name, "inclusion")), grid_(grid),
-        x0_(-0.5 * (grid.surface.nx - 1) * grid.surface.dx), y0_(grid.surface.y(0) + beside)
+  /// @param origin  x of the first column [m]
+  Laid(const ShapedBody& body, std::string_view name, const VolumeGrid& grid, double origin, double beside)
+      : body_(body), name_(name), grid_(grid), origin_(origin), x0_(grid.surface.x(0)), y0_(grid.surface.y(0) + beside)
   {
   }
 
@@ -52,6 +54,12 @@ public:
   }
 
 private:
+  /// An inclusion as messages name it: "`lower.inclusion[0]`".
+  [[nodiscard]] std::string member(std::size_t number) const
+  {
+    return member_of(name_, fmt::format("inclusion[{}]", number));
+  }
+
   enum class Where
   {
     within,
@@ -71,10 +79,9 @@ private:
     if (begin >= first - small && end <= last + small)
       return Where::within;
     if (axis == 0 ? s.is_periodic_x() : s.is_periodic_y())
-      throw PlanError(
-          "{}: inclusion {} reaches from {:.4g} m to {:.4g} m along {}, over the edge of the period, from {:.4g} "
-          "m to {:.4g} m; allowed: inclusions within the period",
-          member_, number + 1, begin, end, axis == 0 ? "x" : "y", first, last);
+      throw PlanError("{} reaches from {:.4g} m to {:.4g} m along {}, over the edge of the period, from {:.4g} "
+                      "m to {:.4g} m; allowed: inclusions within the period",
+                      member(number), begin, end, axis == 0 ? "x" : "y", first, last);
     return end <= first || begin >= last ? Where::beside : Where::cut;
   }
 
@@ -89,9 +96,32 @@ private:
     found_.stiffest = std::min(found_.stiffest, contrast);
     found_.has_own_strain = found_.has_own_strain || !(inclusion.own == halfspace::Inclusion::Own{});
     found_.has_own_strength = found_.has_own_strength || inclusion.yield_factor != 1.0 || elastic.is_rigid();
+    if (is_plane(grid_.surface))
+      require_prism(number);
+    if (const auto* voxels = std::get_if<InclusionVoxels>(&inclusion.region))
+      found_.voxel = std::min(
+          found_.voxel,
+          voxels->size / std::min({grid_.surface.dx, grid_.dz, is_plane(grid_.surface) ? grid_.dz : grid_.surface.dy}));
     for (const InclusionShape& shape : parts_of(inclusion))
       if (is_within(shape, number))
         measure(shape, number, contrast);
+  }
+
+  /// Refuses, where nothing varies along y, an inclusion that does.
+  void require_prism(std::size_t number) const
+  {
+    constexpr int along_y = 1;
+    const auto& region = body_.inclusions[number].region;
+    const auto* shape = std::get_if<InclusionShape>(&region);
+    const auto* voxels = std::get_if<InclusionVoxels>(&region);
+    const bool is_prism =
+        shape != nullptr && (shape->kind == InclusionShape::Kind::cuboid ||
+                             (shape->kind == InclusionShape::Kind::cylinder && shape->axis == along_y));
+    if (!is_prism && !(voxels != nullptr && voxels->count[1] == 1))
+      throw PlanError(
+          "{} ends along y, but in plane strain nothing varies along y; allowed: cuboids, cylinders with the "
+          "axis y, voxels of one row",
+          member(number));
   }
 
   /// @returns whether a part of the shape is within the grid
@@ -100,18 +130,17 @@ private:
     const bool is_one = !std::holds_alternative<InclusionCluster>(body_.inclusions[number].region);
     const double bottom = grid_.nz * grid_.dz, deepest = shape.centre[2] + shape.semi_axes[2];
     if (deepest > bottom * (1.0 + 1e-9))
-      throw PlanError(
-          "{}: inclusion {} reaches down to {:.4g} m, where the contact causes hardly any stress; allowed: down "
-          "to {:.4g} m, or deeper grids by `Numerics::extent`",
-          member_, number + 1, deepest, bottom);
+      throw PlanError("{} reaches down to {:.4g} m, where the contact causes hardly any stress; allowed: down "
+                      "to {:.4g} m, or deeper grids by `Numerics::extent`",
+                      member(number), deepest, bottom);
     const Where x = along(shape, 0, number), y = is_plane(grid_.surface) ? Where::within : along(shape, 1, number);
     if (x == Where::beside || y == Where::beside)
     {
       const SurfaceGrid& s = grid_.surface;
       if (is_one)
-        throw PlanError("{}: inclusion {} at x = {:.4g} m, y = {:.4g} m lies beside the grid, where the body is not "
+        throw PlanError("{} at x = {:.4g} m, y = {:.4g} m lies beside the grid, where the body is not "
                         "computed; allowed: x from {:.4g} m to {:.4g} m and y from {:.4g} m to {:.4g} m",
-                        member_, number + 1, shape.centre[0], shape.centre[1], x0_, x0_ + (s.nx - 1) * s.dx, y0_,
+                        member(number), shape.centre[0], shape.centre[1], x0_, x0_ + (s.nx - 1) * s.dx, y0_,
                         y0_ + (s.ny - 1) * s.dy);
       ++found_.beside;
       return false;
@@ -134,10 +163,9 @@ private:
       found_.contrast = contrast;
     }
     if (!(cells >= fewest))
-      throw PlanError(
-          "{}: inclusion {} has {:.2g} cells along its smallest size; allowed: at least 1, so larger inclusions or "
-          "smaller cells (`Numerics::resolution` or `Numerics::spacing`)",
-          member_, number + 1, 2.0 * cells);
+      throw PlanError("{} has {:.2g} cells along its smallest size; allowed: at least 1, so larger inclusions or "
+                      "smaller cells (`Numerics::resolution` or `Numerics::spacing`)",
+                      member(number), 2.0 * cells);
   }
 
   /// Counts the cells, of which none may belong to two inclusions.
@@ -146,10 +174,10 @@ private:
     std::vector<std::pair<std::size_t, std::size_t>> owners; // cell, inclusion
     for (std::size_t number = 0; number < body_.inclusions.size(); ++number)
     {
-      const auto laid = in_cells({body_.inclusions[number]}, grid_, x0_, y0_);
+      const auto laid = in_cells({body_.inclusions[number]}, grid_, origin_, y0_);
       if (laid.empty() && !std::holds_alternative<InclusionCluster>(body_.inclusions[number].region))
-        throw PlanError("{}: inclusion {} contains no centre of a cell; allowed: larger inclusions, or smaller cells",
-                        member_, number + 1);
+        throw PlanError("{} contains no centre of a cell; allowed: larger inclusions, or smaller cells",
+                        member(number));
       for (const elastoplastic::Inclusion& one : laid)
         for (const std::size_t cell : one.cells)
           owners.emplace_back(cell, number);
@@ -157,18 +185,21 @@ private:
     std::ranges::sort(owners);
     for (std::size_t i = 1; i < owners.size(); ++i)
       if (owners[i].first == owners[i - 1].first)
-        throw PlanError("{}: inclusions {} and {} overlap in a cell; allowed: inclusions that share no cell", member_,
-                        owners[i - 1].second + 1, owners[i].second + 1);
+        throw PlanError("{} and {} overlap in a cell; allowed: inclusions that share no cell",
+                        member(owners[i - 1].second), member(owners[i].second));
     if (owners.empty())
-      throw PlanError("{}: all inclusions lie beside the grid; allowed: inclusions beneath the track", member_);
+      throw PlanError("{}: all inclusions lie beside the grid; allowed: inclusions beneath the track",
+                      member_of(name_, "inclusion"));
     found_.cells = owners.size();
     found_.layers = static_cast<int>(owners.back().first / grid_.surface.size()) + 1;
   }
 
   const ShapedBody& body_;
-  std::string member_;
+  std::string name_;
   const VolumeGrid& grid_;
-  double x0_, y0_; ///< of the first column and row, to half a cell
+  double origin_; ///< x of the first column
+  double x0_,
+      y0_; ///< of the first column and row of a grid with its middle at x = 0; `origin_` is up to half a cell from it
   EmbeddedCells found_;
 };
 
@@ -191,6 +222,18 @@ void require_computable(const PairCase& c, const ShapedBody& body, std::string_v
                     member_of(name, "material.thermal"));
   if (material.softening)
     throw PlanError("{} and {}; allowed: one of them", inclusion, member_of(name, "material.softening"));
+  if (!material.initial_stress.empty())
+    throw PlanError("{} and {}: how inclusions change an initial stress is not computed; allowed: one of them, or a "
+                    "misfit of the inclusion",
+                    inclusion, member_of(name, "material.initial_stress"));
+  if (material.electrical)
+    throw PlanError("{} and {}: the current through inclusions is not computed; allowed: one of them", inclusion,
+                    member_of(name, "material.electrical"));
+  const auto is_rigid = [](const BodyInclusion& one) { return one.elastic.is_rigid(); };
+  if (body.fatigue && std::ranges::any_of(body.inclusions, is_rigid))
+    throw PlanError("{} and {}: a rigid inclusion, whose cells have no accurate stress; allowed: one of them, or an "
+                    "elastic inclusion",
+                    inclusion, member_of(name, "fatigue"));
   if (c.wear.wears())
     throw PlanError(
         "{} and {}: wear would bring inclusions nearer to the surface, which is not computed; allowed: one of "
@@ -213,15 +256,16 @@ double depth_with_inclusions(const ShapedBody& lower, const ShapedBody& upper, d
 std::array<EmbeddedCells, 2> embedded_cells(const PairCase& c, const Plan& plan, const std::array<double, 2>& beside)
 {
   std::array<EmbeddedCells, 2> found{};
+  const Lattice lattice(plan, {});
   if (!c.lower.inclusions.empty())
   {
     require_computable(c, c.lower, "lower");
-    found[0] = Laid(c.lower, "lower", plan.lower, beside[0]).counted();
+    found[0] = Laid(c.lower, "lower", plan.lower, lattice.lower_origin(), beside[0]).counted();
   }
   if (!c.upper.inclusions.empty())
   {
     require_computable(c, c.upper, "upper");
-    found[1] = Laid(c.upper, "upper", plan.upper, beside[1]).counted();
+    found[1] = Laid(c.upper, "upper", plan.upper, lattice.upper_origin(), beside[1]).counted();
   }
   return found;
 }

@@ -69,6 +69,15 @@ TEST(Quality, CoarseInclusionsAreTold)
   ball.centre[1] = 0.5 * plan(c).contact.ny * cell;
   c.lower.inclusions.front().region = ball;
   EXPECT_EQ(before(c), (Keys{"coarse_inclusion", "cut_inclusion"}));
+  const int across = 8;
+  simulation::InclusionVoxels voxels{{across, across, across}, {0.0, 0.0, cell}, cell, {}};
+  voxels.is_filled.assign(across * across * across, 1);
+  c.lower.inclusions.front().region = voxels;
+  EXPECT_EQ(before(c), Keys{});
+  voxels.size = 0.2 * cell;
+  voxels.corner[2] = cell;
+  c.lower.inclusions.front().region = voxels;
+  EXPECT_EQ(before(c), (Keys{"coarse_inclusion", "fine_voxels"}));
 }
 
 TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -95,7 +96,7 @@ TEST(InclusionRun, GridsReachDownToTheInclusions)
   EXPECT_NEAR(deeper.lower.nz * deeper.lower.dz, 2.0 * depth + ball(c).semi_axes[2], 1.01 * deeper.lower.dz);
   EXPECT_GT(deeper.memory_bytes, before.memory_bytes);
   ball(c).centre[2] = 4.0 * depth;
-  expect_refusal(c, "`lower.inclusion`: inclusion 1 reaches down to");
+  expect_refusal(c, "`lower.inclusion[0]` reaches down to");
 }
 
 TEST(InclusionRun, PlansRefuseWhatHasNoPlace)
@@ -108,11 +109,11 @@ TEST(InclusionRun, PlansRefuseWhatHasNoPlace)
   expect_refusal(c, "cells along its smallest size; allowed: at least 1");
   c = over({390e9, 0.3});
   c.lower.inclusions.push_back(c.lower.inclusions.front());
-  expect_refusal(c, "inclusions 1 and 2 overlap");
+  expect_refusal(c, "`lower.inclusion[0]` and `lower.inclusion[1]` overlap");
   c = over({390e9, 0.3});
   c.lower.inclusions.push_back(
       {{0.0, 0.3}, InclusionCluster{{0.0, 0.0, 3e-4}, {1e-3, 1e-3, 1e-5}, 5e-6, 5e-6, 1, 0.0, 1}});
-  expect_refusal(c, "inclusion 2 reaches down");
+  expect_refusal(c, "`lower.inclusion[1]` reaches down");
 }
 
 TEST(InclusionRun, PlansRefuseWhatIsNotComputedTogether)
@@ -134,6 +135,45 @@ TEST(InclusionRun, PlansRefuseWhatIsNotComputedTogether)
   c.friction.coefficient = 0.1;
   c.speed = 1.0;
   expect_refusal(c, "`lower.inclusion` in a body that is heated");
+}
+
+TEST(InclusionRun, PlansRefuseStressAndCurrentThatInclusionsWouldChange)
+{
+  RollingCase c = over({390e9, 0.3});
+  c.lower.material.initial_stress = constitutive::DepthProfile({0.0, 1e-4}, {-3e8, 0.0});
+  expect_refusal(c, "how inclusions change an initial stress is not computed");
+  c = over({390e9, 0.3});
+  c.lower.material.electrical = constitutive::Electrical{1e-7};
+  c.upper.material.electrical = constitutive::Electrical{1e-7};
+  c.current.current = {1.0};
+  expect_refusal(c, "the current through inclusions is not computed");
+  c = over({std::numeric_limits<double>::infinity(), 0.25});
+  c.lower.fatigue = constitutive::Fatigue{};
+  expect_refusal(c, "a rigid inclusion, whose cells have no accurate stress");
+}
+
+TEST(InclusionRun, InPlaneStrainInclusionsArePrismsAlongY)
+{
+  using Kind = InclusionShape::Kind;
+  RollingCase c = over({390e9, 0.3});
+  c.upper.shape = Roller{1e-3, std::numeric_limits<double>::infinity()};
+  c.domain.y = {Boundary::periodic, 1.0, 1};
+  c.drive.value = 5e4;
+  c.lower.inclusions.clear();
+  const double size = 4.0 * plan(c).lower.dz;
+  c.lower.inclusions = {{{390e9, 0.3}, InclusionShape{Kind::ellipsoid, {0.0, 0.0, size}, {size, size, size}}}};
+  expect_refusal(c, "`lower.inclusion[0]` ends along y");
+  ball(c).kind = Kind::cylinder;
+  expect_refusal(c, "`lower.inclusion[0]` ends along y"); // the axis is z
+  ball(c).axis = 1;
+  const std::size_t cells = plan(c).inclusions[0].cells;
+  EXPECT_GT(cells, 0U);
+  ball(c).kind = Kind::cuboid;
+  EXPECT_GT(plan(c).inclusions[0].cells, cells);
+  c.lower.inclusions.front().region = InclusionVoxels{{4, 1, 2}, {0.0, 0.0, 0.5 * size}, size, std::vector<char>(8, 1)};
+  EXPECT_GT(plan(c).inclusions[0].cells, 0U);
+  c.lower.inclusions.front().region = InclusionVoxels{{4, 2, 1}, {0.0, 0.0, 0.5 * size}, size, std::vector<char>(8, 1)};
+  expect_refusal(c, "`lower.inclusion[0]` ends along y");
 }
 
 // What a run tells of the iteration: its residual is below the tolerance of 1e-6, and there are at least two evaluations a step.
