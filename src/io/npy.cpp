@@ -35,11 +35,13 @@ struct Head
   std::vector<std::size_t> shape{};
   std::size_t length = 0; ///< bytes before the first number
 
+  /// Number of numbers; of a damaged header, which may name any, not more than no file has.
   [[nodiscard]] std::size_t count() const
   {
+    constexpr std::size_t most = std::size_t{1} << 40U;
     std::size_t numbers = shape.empty() ? 0 : 1;
     for (const std::size_t along : shape)
-      numbers *= along;
+      numbers = along != 0 && numbers > most / along ? most : numbers * along;
     return numbers;
   }
 };

@@ -27,6 +27,8 @@ constexpr std::string_view metals = "metals yield at 10 MPa to 5 GPa";
 constexpr std::array suspicious{
     // A modulus of 1e5 to 1e6 Pa is that of a gel; below, the case has the warning soft_material.
     Suspicious{"material.young_modulus", 1e5, 1.3e6, "MPa", "a gel; a steel has about 2.1e11 Pa"},
+    Suspicious{"inclusion.young_modulus", 1.0, 2e3, "GPa", "a gel; alumina has about 3.9e11 Pa"},
+    Suspicious{"inclusion.young_modulus", 2e3, 1.3e6, "MPa", "a gel; alumina has about 3.9e11 Pa"},
     Suspicious{"hardening.yield_stress", 1.0, 1e4, "MPa", metals},
     Suspicious{"hardening.coefficient", 1.0, 1e4, "MPa", metals},
     Suspicious{"hardening.stress", 1.0, 1e4, "MPa", metals},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 /// Reading of the inclusions of a body, including voxels from files.
@@ -57,8 +58,9 @@ struct InclusionReader
   [[nodiscard]] InclusionCluster cluster() const
   {
     const auto& diameter = reader.get<std::vector<double>>(table + "diameter");
-    if (diameter.size() > 2)
-      reader.add(table + "diameter", "has {} lengths; allowed: one, or the smallest and the largest", diameter.size());
+    const bool is_ordered = diameter.size() <= 2 && diameter.back() >= diameter.front();
+    if (!is_ordered)
+      reader.add(table + "diameter", "; allowed: one length, or the smallest and the largest");
     InclusionCluster result{centre(),
                             half_sizes(),
                             0.5 * diameter.front(),
@@ -66,6 +68,8 @@ struct InclusionReader
                             reader.integer(table + "count"),
                             reader.get<double>(table + "gap"),
                             static_cast<std::uint64_t>(reader.get<std::int64_t>(table + "seed"))};
+    if (!is_ordered || result.half_sides[0] <= 0.0) // told already
+      return result;
     try
     {
       static_cast<void>(simulation::shapes_of(result));
@@ -101,6 +105,9 @@ struct InclusionReader
     for (std::size_t i = 0; i < 3; ++i)
       result.corner[i] -= 0.5 * result.size * result.count[i];
     result.is_filled.reserve(values.size());
+    if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+      reader.add(table + (reader.raw.find(table + "file") ? "file" : "voxels"),
+                 "has a voxel that is no finite number; allowed: 0 where the body is, else the inclusion");
     for (const double value : values)
       result.is_filled.push_back(value != 0.0 ? 1 : 0);
     if (std::ranges::count(result.is_filled, 1) == 0)
@@ -200,15 +207,20 @@ void load_voxel_files(CaseValues& values, const RawCase& raw, const std::string&
     try
     {
       NpyVolume volume = read_npy_volume(raw.folder / reader.get<std::string>(key));
-      const auto given = [&](const char* axis, std::size_t of_file)
+      // A file of two axes may have the rows of all layers one beneath the other, as that in a folder of results.
+      const auto given = [&](const char* axis, std::size_t of_file, bool may_divide)
       {
         if (!reader.has(table + axis))
           return static_cast<std::int64_t>(of_file);
         const auto number = reader.get<std::int64_t>(table + axis);
+        if (may_divide ? of_file % static_cast<std::size_t>(number) != 0 : static_cast<std::size_t>(number) != of_file)
+          reader.add(table + axis, "does not fit the {} {} of {}file; allowed: no {}, which follow from the file",
+                     of_file, axis, table, axis);
         values.replace(table + axis, {});
         return number;
       };
-      const std::int64_t columns = given("columns", volume.count[0]), rows = given("rows", volume.count[1]);
+      const std::int64_t columns = given("columns", volume.count[0], false),
+                         rows = given("rows", volume.count[1], volume.count[2] == 1);
       values.replace(
           key, {{table + "voxels", std::move(volume.values)}, {table + "columns", columns}, {table + "rows", rows}});
     }

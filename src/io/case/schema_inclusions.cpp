@@ -79,11 +79,13 @@ Entries region_entries(const std::string& table)
                {.key = "columns",
                 .of = kind::integer.between(1, 1000000),
                 .unset = "from file",
-                .text = "Number of voxels along x."},
+                .text = "Number of voxels along x; with a file that of the file."},
                {.key = "rows",
                 .of = kind::integer.between(1, 1000000),
                 .unset = "from file",
-                .text = "Number of voxels along y."},
+                .text =
+                    "Number of voxels along y; with a file of two axes, which has the layers one beneath the other, "
+                    "a divisor of its rows."},
            })});
 }
 
@@ -120,7 +122,7 @@ Entries content_entries(const std::string& table)
        in_table(
            table, solid,
            {{.key = "misfit",
-             .of = kind::share.list(),
+             .of = kind::share.list().between(-0.1, 0.1),
              .unset = "none",
              .text = "Strain that the inclusion would have without the body around it: one number, equal along all "
                      "axes, three along x, y and z, or six, those and yz, xz and xy (tensor components). From "
@@ -142,8 +144,10 @@ std::vector<Entry> inclusion_entries(const std::string& table)
                                  "random places of a box, which do not overlap; voxels: those of a file. "
                                  "Axes are those of the contact. Several inclusions are repeated tables "
                                  "[[lower.inclusion]] or a list; --set then names one as "
-                                 "lower.inclusion[0].type. The body needs a hardening law, and no heat or "
-                                 "layers. First yield, critical values and expected errors are those of "
+                                 "lower.inclusion[0].type. The body needs a hardening law, and no heat, "
+                                 "layers, initial stress, softening, wear or current; rigid inclusions do not go "
+                                 "with fatigue. In plane strain inclusions are cuboids, cylinders along y or voxels "
+                                 "of one row. First yield, critical values and expected errors are those of "
                                  "the body without inclusions."}}),
               region_entries(table), content_entries(table)});
   for (Entry& entry : entries)

@@ -52,6 +52,19 @@ void expect_in(const std::string& text, const std::string& part)
   EXPECT_NE(text.find(part), std::string::npos) << part << " is not in: " << text;
 }
 
+TEST(BareNumbers, InclusionsAreAskedFor)
+{
+  const auto of = [](const std::string& modulus)
+  {
+    return told({R"(lower.inclusion=[{type="ellipsoid", depth=1, size=1, poisson_ratio=0.25, young_modulus=)" +
+                 modulus + "}]"});
+  };
+  expect_in(of("390"), "lower.inclusion[0].young_modulus = 390 is in Pa because it has no unit");
+  expect_in(of("390"), "which is written \"390 GPa\"");
+  expect_in(of("390000"), "which is written \"390000 MPa\"");
+  EXPECT_EQ(of("390e9").find("inclusion[0].young_modulus"), std::string::npos);
+}
+
 TEST(BareNumbers, NewtonMillimetreMegapascalIsAskedFor)
 {
   const std::string text = told();

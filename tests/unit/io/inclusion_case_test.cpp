@@ -129,8 +129,70 @@ content = "rigid"
   EXPECT_THROW((void)read_case(folder.path() / "resolved.toml"), InputError);
 }
 
+// Each mistake is told once, at its key.
+TEST(InclusionCase, ClustersTellWhatIsWrong)
+{
+  const auto told = [](const std::string& keys)
+  {
+    try
+    {
+      (void)sample::parsed({inclusions(R"({type="cluster", depth="20 mm", count=3, content="void", )" + keys + "}")});
+    }
+    catch (const InputError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string size = told(R"(size=["20 mm", "20 mm"], diameter="1 mm")"),
+                    diameter = told(R"(size="20 mm", diameter=["2 mm", "1 mm"])");
+  EXPECT_NE(size.find("lower.inclusion[0].size"), std::string::npos) << size;
+  EXPECT_EQ(size.find("lower.inclusion[0].count"), std::string::npos) << size;
+  EXPECT_NE(diameter.find("lower.inclusion[0].diameter"), std::string::npos) << diameter;
+  EXPECT_EQ(diameter.find("lower.inclusion[0].count"), std::string::npos) << diameter;
+}
+
+TEST(InclusionCase, VoxelFilesTellWhatIsWrong)
+{
+  const sample::TemporaryFolder folder;
+  std::vector<double> filled(24, 1.0);
+  const auto told = [&](const std::string& keys)
+  {
+    std::ofstream(folder.path() / "filled.npy", std::ios::binary) << npy_content(filled, 4);
+    try
+    {
+      (void)parse_case(std::string(sample::case_text) + R"(
+[lower.inclusion]
+type = "voxels"
+file = "filled.npy"
+depth = "25 mm"
+size = "8 mm"
+content = "rigid"
+)" + keys,
+                       folder.path() / "case.toml", {});
+    }
+    catch (const InputError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(told("rows = 3"), ""); // two layers
+  EXPECT_NE(told("columns = 3").find("lower.inclusion.columns = 3 does not fit the 4 columns"), std::string::npos);
+  EXPECT_NE(told("rows = 4").find("lower.inclusion.rows = 4 does not fit the 6 rows"), std::string::npos);
+  filled[5] = std::nan("");
+  EXPECT_NE(told("").find("lower.inclusion.file = \"filled.npy\" has a voxel that is no finite number"),
+            std::string::npos)
+      << told("");
+}
+
 TEST(InclusionCase, ErrorsNameTheInclusion)
 {
+  expect_message(
+      {inclusions(R"({type="ellipsoid", depth="2 m", size="16 mm", young_modulus="390 GPa", poisson_ratio=0.25})")},
+      "lower.inclusion[0] reaches down to 2.008 m");
+  expect_message({inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=0.5})")},
+                 "lower.inclusion[0].misfit = 0.5");
   expect_message({inclusions(R"({type="ellipsoid", size="2 mm", young_modulus=4e11, poisson_ratio=0.2})")},
                  "lower.inclusion[0].depth is missing; allowed: length >= 0");
   expect_message({inclusions(R"({type="ellipsoid", depth="2 mm", size="2 mm", poisson_ratio=0.2})")},
@@ -140,8 +202,8 @@ TEST(InclusionCase, ErrorsNameTheInclusion)
   expect_message(
       {inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="void", young_modulus=1e9})")},
       R"(lower.inclusion[0].young_modulus = 1000000000.0 applies only with lower.inclusion[0].content = "elastic")");
-  expect_message({inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=[1, 2]})")},
-                 "lower.inclusion[0].misfit = [1, 2] has 2 numbers");
+  expect_message({inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=[0.01, 0.02]})")},
+                 "lower.inclusion[0].misfit = [0.01, 0.02] has 2 numbers");
   expect_message({inclusions(R"({depth="2 mm"})")}, "lower.inclusion[0].depth");
   expect_message(
       {inclusions(R"({type="cluster", depth="20 mm", size="20 mm", count=99, diameter="9 mm", content="void"})")},

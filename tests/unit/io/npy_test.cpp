@@ -6,6 +6,7 @@
 #include "sample.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
@@ -114,6 +115,27 @@ TEST_F(Npy, Refusals)
   EXPECT_NE(
       refusal(file_of("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }", two)).find("16 bytes for 2 x 2"),
       std::string::npos);
+}
+
+// The product of the numbers along the axes is 2^64, which is 0 in 64 bits.
+TEST_F(Npy, AHeaderOfMoreNumbersThanThereAreIsRefused)
+{
+  const auto file = folder.path() / "volume.npy";
+  for (const char* order : {"False", "True"})
+  {
+    std::ofstream(file, std::ios::binary) << file_of(
+        fmt::format("{{'descr': '|b1', 'fortran_order': {}, 'shape': (536870912, 536870912, 64), }}\n", order),
+        std::vector<std::int8_t>{});
+    try
+    {
+      (void)read_npy_volume(file);
+      ADD_FAILURE() << order;
+    }
+    catch (const InputError& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("is damaged: it has 0 bytes"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST_F(Npy, GapsAreNamedAndAnyEndingIsRead)
