@@ -4,11 +4,14 @@
 import re
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import h5py
 import numpy as np
 import pytest
 from matplotlib.animation import FFMpegWriter
+from matplotlib.figure import Figure
 
 import brinell
 from brinell import Case
@@ -24,7 +27,9 @@ from brinell.plot import (
     section,
     stress_over_depth,
 )
+from brinell.plot.cuts import Cut
 from brinell.plot.energy import balance_error
+from brinell.plot.inclusions import draw_inclusions
 from brinell.plot.planes import Plane, on_plane, plane_of
 from brinell.plot.quantities import QUANTITIES, quantity_of
 from brinell.results import History, RunError, open_run
@@ -352,3 +357,26 @@ def test_outlines_of_inclusions_are_drawn(tmp_path: Path) -> None:
     radius = run.summary["critical"]["contact_radius_m"]
     assert outline[:, 0].max() * radius == pytest.approx(28e-6, abs=0.6 * (fields.x[1] - fields.x[0]))
     assert -outline[:, 1].min() * radius == pytest.approx(68e-6, abs=1.1 * (fields.z[1] - fields.z[0]))
+
+
+def test_outlines_turn_with_a_period() -> None:
+    """Outlines are where the cells are: a period is turned round to the contact, and a single row has none."""
+    x = (np.arange(16) + 0.5) * 1e-6
+    inside = np.zeros((4, 3, 16))
+    inside[1:3, :, 2:5] = 1.0
+    for rows, turned in ((3, False), (3, True), (1, False)):
+        body = SimpleNamespace(
+            x=x, y=(np.arange(rows) - rows // 2) * 1e-6, z=(np.arange(4) + 0.5) * 1e-6, inclusion=inside[:, :rows]
+        )
+        side = SimpleNamespace(body=body, up=-1.0)
+        figure = Figure()
+        ax = figure.subplots()
+        cut = SimpleNamespace(side=side)
+        plane = plane_of("y=0" if rows > 1 else ("z", 1.5e-6))
+        draw_inclusions(ax, [cast(Cut, cut)], plane, lambda _: 14e-6, 1e-6, turned=turned)
+        if rows == 1:
+            assert not ax.collections
+            continue
+        outline = np.vstack(list(ax.collections[0].get_paths()[0].to_polygons()))
+        middle = 3.5 - 14.0 + (16.0 if turned else 0.0)
+        assert 0.5 * (outline[:, 0].min() + outline[:, 0].max()) == pytest.approx(middle, abs=0.01)

@@ -97,7 +97,7 @@ def section(
     quantities = usual_quantities(drawn) if names is None else [quantity_of(name) for name in names]
     origin = from_contact(snapshot)
     panels = [panel_of(run, snapshot, drawn, quantity, cut, origin) for quantity in quantities]
-    if goes_round(run)[0] and snapshot.in_contact and cut.axis != "x":
+    if _is_turned(run, snapshot, cut):
         for panel in panels:
             panel.cuts[:] = [round_contact(one) for one in panel.cuts]
     window = window_of(snapshot, drawn, cut, origin, goes_round(run)).within(panels)
@@ -109,6 +109,11 @@ def section(
     place += f", {cutting.reason}" if cutting.reason else ""
     fig.suptitle(f"{place}:  {state_title(run, snapshot)}", fontsize=style.font(10))
     return fig
+
+
+def _is_turned(run: Run, snapshot: Snapshot, plane: Plane) -> bool:
+    """Whether a period along x is turned round so that the contact is in the middle."""
+    return goes_round(run)[0] and snapshot.in_contact and plane.axis != "x"
 
 
 def _with_content(bodies: list[Side], names: Sequence[str]) -> list[Side]:
@@ -140,7 +145,8 @@ def _upright(
     for ax, panel in zip(axes, panels, strict=True):
         draw_panel(ax, panel, window, length.size, interpolation)
         draw_interfaces(ax, run, panel.cuts, length.size)
-        draw_inclusions(ax, panel.cuts, plane, from_contact(snapshot), length.size)
+        turned = _is_turned(run, snapshot, plane)
+        draw_inclusions(ax, panel.cuts, plane, from_contact(snapshot), length.size, turned=turned)
         upright_axes(ax, snapshot, panel, window, length.size)
         if panel_height > to_scale:
             few_ticks(ax, panel_height)
@@ -170,7 +176,8 @@ def _level(
         for ax, name in zip(column, names, strict=True):
             cuts = [cut for cut in panel.cuts if cut.side.name == name]
             _draw_cuts(ax, panel, cuts, length.size, interpolation)
-            draw_inclusions(ax, cuts, plane, from_contact(snapshot), length.size)
+            turned = _is_turned(run, snapshot, plane)
+            draw_inclusions(ax, cuts, plane, from_contact(snapshot), length.size, turned=turned)
             ax.set_xlim(*(edge / length.size for edge in window.across))
             ax.set_ylim(*(edge / length.size for edge in window.upward))
             _name_body(ax, name, 0.96, "top")
