@@ -2,7 +2,6 @@
 #include "embedding.hpp"
 
 #include "heat.hpp"
-#include "simulation/stepping/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -256,16 +255,20 @@ double depth_with_inclusions(const ShapedBody& lower, const ShapedBody& upper, d
 std::array<EmbeddedCells, 2> embedded_cells(const PairCase& c, const Plan& plan, const std::array<double, 2>& beside)
 {
   std::array<EmbeddedCells, 2> found{};
-  const Lattice lattice(plan, {});
+  // Where the run has the columns of the lower body, and, to half a cell, those of the upper one.
+  const int lower_nx = plan.lower.surface.nx, upper_nx = plan.upper.surface.nx, half = (plan.contact.nx - 1) / 2;
+  const double lower_origin = -((lower_nx - 1) / 2) * plan.lower.surface.dx;
+  const double upper_origin =
+      -(half + static_cast<double>(std::lround(0.5 * (upper_nx - 1) - half))) * plan.upper.surface.dx;
   if (!c.lower.inclusions.empty())
   {
     require_computable(c, c.lower, "lower");
-    found[0] = Laid(c.lower, "lower", plan.lower, lattice.lower_origin(), beside[0]).counted();
+    found[0] = Laid(c.lower, "lower", plan.lower, lower_origin, beside[0]).counted();
   }
   if (!c.upper.inclusions.empty())
   {
     require_computable(c, c.upper, "upper");
-    found[1] = Laid(c.upper, "upper", plan.upper, lattice.upper_origin(), beside[1]).counted();
+    found[1] = Laid(c.upper, "upper", plan.upper, upper_origin, beside[1]).counted();
   }
   return found;
 }
