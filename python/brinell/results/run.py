@@ -187,7 +187,7 @@ class Run(OfScenarios):
         """
         cells = (self._value("grid", "spacing_m")[0], self._value("grid", "spacing_m")[1])
         boundary = str(self.case("grid", "boundary") or "open")
-        layered = "surface_modulus_Pa" in self.summary["geometry"]
+        layered = "surface_modulus_Pa" in (self.summary or {}).get("geometry", {})
         modulus = self._number("geometry", "surface_modulus_Pa" if layered else "contact_modulus_Pa")
         return patches_of(self.snapshot(which).contact, (float(cells[0]), float(cells[1])), boundary, modulus)
 
