@@ -15,15 +15,15 @@ namespace brinell::halfspace
 
 using green::WaveLoad;
 
-void require_resolved(const SurfaceGrid& grid, const ElasticStack& given)
+void require_resolved(const SurfaceGrid& grid, const ElasticStack& stack)
 {
-  const ElasticStack stack = given.merged();
-  if (stack.is_homogeneous() || grid.is_periodic())
+  const ElasticStack merged = stack.merged();
+  if (merged.is_homogeneous() || grid.is_periodic())
     return;
   constexpr double least = 0.25; // of a cell
   const bool is_row = grid.ny == 1 && grid.is_periodic_y(), is_column = grid.nx == 1 && grid.is_periodic_x();
   const double cell = is_row ? grid.dx : is_column ? grid.dy : std::max(grid.dx, grid.dy);
-  if (const double thickness = stack.layers.front().thickness; thickness < least * cell)
+  if (const double thickness = merged.layers.front().thickness; thickness < least * cell)
     throw InputError(fmt::format("the first layer is {:.4g} m thick on cells of {:.4g} m along the surface; allowed: a "
                                  "thickness of {:.4g} m at least, or smaller cells",
                                  thickness, cell, least * cell));

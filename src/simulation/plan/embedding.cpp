@@ -256,8 +256,9 @@ std::array<EmbeddedCells, 2> embedded_cells(const PairCase& c, const Plan& plan,
 {
   std::array<EmbeddedCells, 2> found{};
   // Where the run has the columns of the lower body, and, to half a cell, those of the upper one.
-  const int lower_nx = plan.lower.surface.nx, upper_nx = plan.upper.surface.nx, half = (plan.contact.nx - 1) / 2;
-  const double lower_origin = -((lower_nx - 1) / 2) * plan.lower.surface.dx;
+  const int lower_nx = plan.lower.surface.nx, upper_nx = plan.upper.surface.nx, half = (plan.contact.nx - 1) / 2,
+            lower_half = (lower_nx - 1) / 2;
+  const double lower_origin = -lower_half * plan.lower.surface.dx;
   const double upper_origin =
       -(half + static_cast<double>(std::lround(0.5 * (upper_nx - 1) - half))) * plan.upper.surface.dx;
   if (!c.lower.inclusions.empty())

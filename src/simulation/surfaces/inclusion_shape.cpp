@@ -57,7 +57,8 @@ bool BallsByCubes::has_room(const InclusionShape& ball, double gap) const
   const Cube middle = cube_of(ball);
   for (int n = 0; n < 27; ++n)
   {
-    const auto found = balls_.find({middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1});
+    const int i = n % 3 - 1, j = n / 3 % 3 - 1, k = n / 9 - 1;
+    const auto found = balls_.find({middle[0] + i, middle[1] + j, middle[2] + k});
     if (found != balls_.end() && !std::ranges::all_of(found->second, is_apart))
       return false;
   }
