@@ -119,7 +119,8 @@ Documented loading_stiffness(bool is_tip)
                    .error = 0.012,
                    .cells = 6.5,
                    .order = 1.5,
-                   .of = Of::elastic_contact};
+                   .of = Of::elastic_contact,
+                   .on_coats = 1.5};
   error.on_textures = 1.5;
   if (is_tip)
     error.error = 0.04;

@@ -43,6 +43,10 @@ bool warn_of_textures(const Facts& facts, std::vector<Warning>& warnings);
 void withhold_errors(const Facts& facts, const simulation::RunTotals* seen, Resolution& resolution,
                      std::vector<Warning>& warnings);
 
+/// Warns of coats of bodies that can yield that few layers of cells resolve.
+/// @returns whether there are any: the expected errors do not hold then, docs/verification/accuracy.md (coats)
+bool warn_of_coats(const Facts& facts, std::vector<Warning>& warnings);
+
 /// Warns of inclusions that few cells resolve, and of those that the grid cuts or leaves out.
 void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings);
 

@@ -119,23 +119,6 @@ public:
     }
   }
 
-  /// Warns of coats that few layers of cells resolve: the expected errors are those of homogeneous bodies.
-  void of_coats()
-  {
-    constexpr double least_cells = 4.0;
-    for (std::size_t side = 0; side < 2; ++side)
-    {
-      const constitutive::Material& material = *f_.materials[side];
-      for (std::size_t coat = 0; coat < material.layers.size() && material.is_plastic(); ++coat)
-        if (const double cells = material.layers[coat].thickness / f_.cell[2]; cells < 0.999 * least_cells)
-          add("coarse_coat",
-              fmt::format("layer {} of the {} body is {} thick, {:.2g} layers of cells; its plastic strain "
-                          "is coarse with less than {:g}: use thinner cells (grid.resolution)",
-                          coat + 1, side == 0 ? "lower" : "upper", length_text(material.layers[coat].thickness), cells,
-                          least_cells));
-    }
-  }
-
   void of_step()
   {
     if (!f_.shift || !(*f_.shift > longest_share_of_radius * f_.half_x) || !(*f_.shift > 1.01 * f_.cell[0]))
@@ -300,8 +283,10 @@ Quality quality_before(const Facts& f)
   std::vector<Warning> of_textures;
   const bool has_lost_textures = warn_of_textures(f, of_textures);
   const bool has_sharp_ends = f.between_ends && f.is_smooth; // ends with a texture may be rounded by it
-  // The tables are for surfaces below their shear limit, whose textures the cells resolve, and without singular pressures.
-  if (warn_of_expected_flow(f, of_flow) || has_lost_textures || has_sharp_ends)
+  std::vector<Warning> of_coats;
+  const bool has_coarse_coats = warn_of_coats(f, of_coats);
+  // The tables are for surfaces below their shear limit, whose textures and coats the cells resolve, and without singular pressures.
+  if (warn_of_expected_flow(f, of_flow) || has_lost_textures || has_sharp_ends || has_coarse_coats)
     resolution.expected_errors.clear();
   withhold_errors(f, nullptr, resolution, of_textures);
   Judge judge(f, std::move(resolution));
@@ -312,7 +297,8 @@ Quality quality_before(const Facts& f)
     for (Warning& warning : *warnings)
       judge.add(std::move(warning));
   judge.of_profiles();
-  judge.of_coats();
+  for (Warning& warning : of_coats)
+    judge.add(std::move(warning));
   warn_of_inclusions(f, judge.warnings());
   judge.of_step();
   judge.of_size();
@@ -333,7 +319,9 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   const bool has_lost_textures = warn_of_textures(f, of_textures);
   // Rows that an end cuts may lie outside of the contact.
   const bool has_sharp_ends = f.between_ends && (seen.contact_rows + 2) * f.cell[1] >= *f.between_ends;
-  if (flows_at_surface(f, totals) || has_lost_textures || has_sharp_ends) // see quality_before
+  std::vector<Warning> of_coats;
+  const bool has_coarse_coats = warn_of_coats(f, of_coats);
+  if (flows_at_surface(f, totals) || has_lost_textures || has_sharp_ends || has_coarse_coats) // see quality_before
     resolution.expected_errors.clear();
   withhold_errors(f, &totals, resolution, of_textures);
   Judge judge(f, std::move(resolution));
@@ -344,7 +332,8 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   for (Warning& warning : of_textures)
     judge.add(std::move(warning));
   judge.of_profiles();
-  judge.of_coats();
+  for (Warning& warning : of_coats)
+    judge.add(std::move(warning));
   warn_of_inclusions(f, judge.warnings());
   judge.of_step();
   judge.of_size();

@@ -123,6 +123,17 @@ friction = 0.4
   EXPECT_NE(ellipse.find("(estimate for a round contact)"), std::string::npos) << ellipse;
 }
 
+TEST_F(QualityOfRuns, NoErrorIsStatedOfACoatInFewLayersOfCells)
+{
+  const std::string coat = "lower.material.layers=[{thickness=\"5 um\", young_modulus=\"200 GPa\", poisson_ratio=0.3, "
+                           "hardening={law=\"perfect\", yield_stress=\"900 MPa\"}}]";
+  const std::string cells = "grid.spacing=[\"3 um\", \"3 um\", ";
+  EXPECT_EQ(keys_of({coat, cells + "\"1.25 um\"]"}), Keys{});
+  EXPECT_FALSE(summary().at("resolution").at("expected_errors").empty());
+  EXPECT_EQ(keys_of({coat, cells + "\"2.5 um\"]"}), Keys{"coarse_coat"});
+  EXPECT_TRUE(summary().at("resolution").at("expected_errors").empty());
+}
+
 TEST_F(QualityOfRuns, FirstYieldOfACoatedBody)
 {
   write("case.toml", R"(scenario = "indentation"

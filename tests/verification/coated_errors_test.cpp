@@ -61,7 +61,7 @@ class CoatedErrors : public testing::TestWithParam<const char*>
 TEST_P(CoatedErrors, HoldAgainstFinerCells)
 {
   const std::map<std::string, double> finer = numbers(simulation::run(pressed(GetParam(), 24)));
-  const IndentationCase c = pressed(GetParam(), 8);
+  const IndentationCase c = pressed(GetParam(), 10);
   const IndentationSummary summary = simulation::run(c);
   const std::map<std::string, double> coarse = numbers(summary);
   int held = 0;
