@@ -40,11 +40,6 @@ std::array<double, 4> bessel(double x)
   return J;
 }
 
-double cosine(std::size_t node, std::size_t degree, std::size_t nodes)
-{
-  return std::cos(pi * static_cast<double>(degree) * (static_cast<double>(node) + 0.5) / static_cast<double>(nodes));
-}
-
 /// Factor of Hankel's integral: i^order, and once more i if the order is odd.
 double phase(int order)
 {
@@ -128,7 +123,7 @@ void RadialFields::tabulate(const Interval& interval, std::size_t number, const 
 #pragma omp parallel for schedule(static)
     for (std::size_t node = 0; node < nodes; ++node)
     {
-      const double r = interval.low + 0.5 * (interval.high - interval.low) * (1.0 + cosine(node, 1, nodes));
+      const double r = interval.low + 0.5 * (interval.high - interval.low) * (1.0 + Series::node(node));
       WaveParts* const sums = values.data() + node * fields;
       for (std::size_t n = 0; n < count; ++n)
       {
@@ -144,11 +139,7 @@ void RadialFields::tabulate(const Interval& interval, std::size_t number, const 
     }
   }
   for (std::size_t f = 0; f < fields; ++f)
-    for (std::size_t degree = 0; degree < nodes; ++degree)
-      for (std::size_t node = 0; node < nodes; ++node)
-        for (std::size_t p = 0; p < part_count; ++p)
-          radial_[f][number][degree][p] += (degree == 0 ? 1.0 : 2.0) / static_cast<double>(nodes) *
-                                           cosine(node, degree, nodes) * values[node * fields + f][p];
+    radial_[f][number] = Series([&](std::size_t node) { return values[node * fields + f]; });
 }
 
 WaveParts RadialFields::at(std::size_t field, double r) const
@@ -157,19 +148,7 @@ WaveParts RadialFields::at(std::size_t field, double r) const
   const auto number = r < first ? std::size_t{0} : static_cast<std::size_t>(std::ilogb(r / first)) + 1;
   const std::size_t inside = std::min(number, intervals_.size() - 1);
   const auto [low, high] = intervals_[inside];
-  const Polynomials& c = radial_[field][inside];
-  const double twice = 4.0 * (r - low) / (high - low) - 2.0;
-  WaveParts b1{}, b2{};
-  for (std::size_t degree = nodes; degree-- > 1;)
-    for (std::size_t p = 0; p < part_count; ++p)
-    {
-      const double b0 = c[degree][p] + twice * b1[p] - b2[p];
-      b2[p] = b1[p];
-      b1[p] = b0;
-    }
-  for (std::size_t p = 0; p < part_count; ++p)
-    b1[p] = c[0][p] + 0.5 * twice * b1[p] - b2[p];
-  return b1;
+  return radial_[field][inside].at(2.0 * (r - low) / (high - low) - 1.0);
 }
 
 /// Along an axis the next singularity of a function of the distance is at i times the root of the squares of the distance across

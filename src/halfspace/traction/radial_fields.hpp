@@ -25,7 +25,7 @@ public:
 
 private:
   static constexpr std::size_t nodes = 14; ///< polynomials in an interval of distances
-  using Polynomials = std::array<WaveParts, nodes>;
+  using Series = ChebyshevSeries<std::tuple_size_v<WaveParts>, nodes>;
   struct Interval
   {
     double low, high;
@@ -44,9 +44,9 @@ private:
   WaveScales scales_;
   std::vector<WaveTerm> terms_;
   std::array<int, std::tuple_size_v<WaveParts>> orders_{};
-  std::vector<Interval> intervals_;              ///< of the distance
-  std::vector<std::vector<Polynomials>> radial_; ///< [field][interval]
-  std::vector<Rule> rules_;                      ///< [order - 1]
+  std::vector<Interval> intervals_;         ///< of the distance
+  std::vector<std::vector<Series>> radial_; ///< [field][interval]
+  std::vector<Rule> rules_;                 ///< [order - 1]
 };
 
 } // namespace brinell::halfspace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "chebyshev_series.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 namespace brinell::halfspace
@@ -18,7 +19,6 @@ template <std::size_t count>
 class RadialTable
 {
 public:
-  static constexpr std::size_t nodes = 12; ///< of an interval
   using Values = std::array<double, count>;
 
   /// Wavenumbers at which the functions must be given.
@@ -27,50 +27,31 @@ public:
     std::vector<double> result;
     for (double low = smallest; low <= largest; low *= 2.0)
       for (std::size_t n = 0; n < nodes; ++n)
-        result.push_back(low * std::exp2(0.5 + 0.5 * cosine(n, 1)));
+        result.push_back(low * std::exp2(0.5 + 0.5 * Octave::node(n)));
     return result;
   }
 
   /// @param values  at these wavenumbers
-  RadialTable(double smallest, const std::vector<Values>& values)
-      : smallest_(smallest), coefficients_(values.size() / nodes)
+  RadialTable(double smallest, const std::vector<Values>& values) : smallest_(smallest)
   {
-    for (std::size_t interval = 0; interval < coefficients_.size(); ++interval)
-      for (std::size_t degree = 0; degree < nodes; ++degree)
-        for (std::size_t n = 0; n < nodes; ++n)
-          for (std::size_t f = 0; f < count; ++f)
-            coefficients_[interval][degree][f] += (degree == 0 ? 1.0 : 2.0) / static_cast<double>(nodes) *
-                                                  cosine(n, degree) * values[interval * nodes + n][f];
+    octaves_.reserve(values.size() / nodes);
+    for (std::size_t first = 0; first + nodes <= values.size(); first += nodes)
+      octaves_.emplace_back([&](std::size_t n) { return values[first + n]; });
   }
 
   [[nodiscard]] Values at(double k) const
   {
     const double octave = std::max(std::log2(k / smallest_), 0.0);
-    const auto interval = std::min(static_cast<std::size_t>(octave), coefficients_.size() - 1);
-    const double twice = 2.0 * (2.0 * (octave - static_cast<double>(interval)) - 1.0);
-    const auto& c = coefficients_[interval];
-    Values b1{}, b2{};
-    for (std::size_t degree = nodes; degree-- > 1;)
-      for (std::size_t f = 0; f < count; ++f)
-      {
-        const double b0 = c[degree][f] + twice * b1[f] - b2[f];
-        b2[f] = b1[f];
-        b1[f] = b0;
-      }
-    for (std::size_t f = 0; f < count; ++f)
-      b1[f] = c[0][f] + 0.5 * twice * b1[f] - b2[f];
-    return b1;
+    const auto number = std::min(static_cast<std::size_t>(octave), octaves_.size() - 1);
+    return octaves_[number].at(2.0 * (octave - static_cast<double>(number)) - 1.0);
   }
 
 private:
-  [[nodiscard]] static double cosine(std::size_t node, std::size_t degree)
-  {
-    return std::cos(std::numbers::pi * static_cast<double>(degree) * (static_cast<double>(node) + 0.5) /
-                    static_cast<double>(nodes));
-  }
+  static constexpr std::size_t nodes = 12;
+  using Octave = ChebyshevSeries<count, nodes>;
 
   double smallest_;
-  std::vector<std::array<Values, nodes>> coefficients_;
+  std::vector<Octave> octaves_;
 };
 
 } // namespace brinell::halfspace
