@@ -18,7 +18,7 @@ using Strength = std::function<double(std::size_t layer, double depth)>;
 
 constexpr double depth_step = 0.05, radial_step = 0.1, deepest = 2.5, widest = 1.2; // contact radii
 constexpr std::size_t points_along_r = 13;                                          // widest / radial_step + 1
-constexpr std::size_t points_of_layer = 5;                                          // at least, ends included
+constexpr double steps_of_layer = 4.0;                                              // at least
 
 struct Level
 {
@@ -38,10 +38,9 @@ std::vector<Level> levels_of(const ElasticStack& body, double a)
   {
     end = layer < body.layers.size() ? end + body.layers[layer].thickness : std::numeric_limits<double>::infinity();
     const double bottom = std::max(top, std::min(end, deepest * a)); // deeper the stress falls: the top counts
-    const auto points =
-        std::max(points_of_layer, 1 + static_cast<std::size_t>(std::ceil((bottom - top) / (depth_step * a))));
-    for (std::size_t i = 0; i < points; ++i)
-      levels.push_back({layer, top + (bottom - top) * static_cast<double>(i) / static_cast<double>(points - 1)});
+    const auto steps = std::max(steps_of_layer, std::ceil((bottom - top) / (depth_step * a)));
+    for (double step = 0.0; step <= (bottom > top ? steps : 0.0); ++step)
+      levels.push_back({layer, top + (bottom - top) * step / steps});
     top = end;
   }
   return levels;
@@ -76,8 +75,8 @@ std::array<std::array<double, 3>, points_along_r> bessel_at(double x)
 
 std::vector<Sums> stress_at(const CoatedContact& contact, const ElasticStack& body, const std::vector<Level>& levels)
 {
-  constexpr double decays =
-      12.0; // of a wave down to a level; its part of the pressure and its Bessel functions decay as well
+  // Of a wave down to a level; its part of the pressure and its Bessel functions decay as well.
+  constexpr double decays = 12.0;
   const double a = contact.contact_radius();
   std::vector<Sums> sums(levels.size() * points_along_r);
   constexpr double longest = 1e-3;
