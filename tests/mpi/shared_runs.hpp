@@ -37,6 +37,7 @@ protected:
                              "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle"})
       setenv(name, "1", 1);
     setenv("OMPI_MCA_hwloc_base_binding_policy", "none", 1);
+    setenv("PMIX_MCA_gds", "hash", 1); // docs/howto/ranks.md: otherwise mpirun may wait for a lock of a killed rank
   }
 
   [[nodiscard]] Process start(int ranks, const std::vector<std::string>& arguments, rlim_t largest_file = 0) const
