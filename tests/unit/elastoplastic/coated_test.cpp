@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Increments of layered bodies: limits in which they are bodies that are computed in another way, admissibility and energy.
+#include "admissible.hpp"
 #include "brinell/elastoplastic/increment.hpp"
-#include "volume_fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -147,19 +147,7 @@ TEST(CoatedIncrement, EveryLayerIsAdmissibleByItsOwnLaw)
       const halfspace::HalfSpace half_space(grid, material.stack());
       const std::vector<double> pressure(press.contact().pressure().begin(), press.contact().pressure().end());
       const test::StressField stress(half_space, pressure, state.plastic_strain);
-      const auto laws = material.laws();
-      const ElasticStack stack = material.stack();
-      for (std::size_t i = 0; i < grid.size(); ++i)
-      {
-        const double depth = (static_cast<double>(i / grid.surface.size()) + 0.5) * dz;
-        const auto& law = laws[stack.layer_at(depth)];
-        if (!law)
-          ASSERT_EQ(state.equivalent[i], 0.0);
-        else
-          ASSERT_LE(von_mises(test::deviator_at(stress.deviator, i)),
-                    std::visit([&](const auto& one) { return one.yield_stress_at(state.equivalent[i]); }, *law) *
-                        (1.0 + 2e-4));
-      }
+      test::expect_admissible(stress, state, material, grid);
     }
 }
 

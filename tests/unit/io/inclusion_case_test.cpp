@@ -37,19 +37,6 @@ const std::vector<BodyInclusion>& of_lower(const Case& c)
   return sample::tugging(c).lower.inclusions;
 }
 
-void expect_message(const std::vector<std::string>& overrides, const std::string& part)
-{
-  try
-  {
-    (void)sample::parsed(overrides);
-    ADD_FAILURE() << "no error for " << overrides.front();
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-}
-
 TEST(InclusionCase, ShapesAreRead)
 {
   using Kind = InclusionShape::Kind;
@@ -188,30 +175,31 @@ content = "rigid"
 
 TEST(InclusionCase, ErrorsNameTheInclusion)
 {
-  expect_message(
+  sample::expect_message(
       {inclusions(R"({type="ellipsoid", depth="2 m", size="16 mm", young_modulus="390 GPa", poisson_ratio=0.25})")},
       "lower.inclusion[0] reaches down to 2.008 m");
-  expect_message({inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=0.5})")},
-                 "lower.inclusion[0].misfit = 0.5");
-  expect_message({inclusions(R"({type="ellipsoid", size="2 mm", young_modulus=4e11, poisson_ratio=0.2})")},
-                 "lower.inclusion[0].depth is missing; allowed: length >= 0");
-  expect_message({inclusions(R"({type="ellipsoid", depth="2 mm", size="2 mm", poisson_ratio=0.2})")},
-                 "lower.inclusion[0].young_modulus is missing");
-  expect_message({inclusions(R"({type="cuboid", depth="2 mm", size=[1, 2], content="void"})")},
-                 "lower.inclusion[0].size = [1, 2] has 2 lengths; allowed: one, or three");
-  expect_message(
+  sample::expect_message({inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=0.5})")},
+                         "lower.inclusion[0].misfit = 0.5");
+  sample::expect_message({inclusions(R"({type="ellipsoid", size="2 mm", young_modulus=4e11, poisson_ratio=0.2})")},
+                         "lower.inclusion[0].depth is missing; allowed: length >= 0");
+  sample::expect_message({inclusions(R"({type="ellipsoid", depth="2 mm", size="2 mm", poisson_ratio=0.2})")},
+                         "lower.inclusion[0].young_modulus is missing");
+  sample::expect_message({inclusions(R"({type="cuboid", depth="2 mm", size=[1, 2], content="void"})")},
+                         "lower.inclusion[0].size = [1, 2] has 2 lengths; allowed: one, or three");
+  sample::expect_message(
       {inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="void", young_modulus=1e9})")},
       R"(lower.inclusion[0].young_modulus = 1000000000.0 applies only with lower.inclusion[0].content = "elastic")");
-  expect_message({inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=[0.01, 0.02]})")},
-                 "lower.inclusion[0].misfit = [0.01, 0.02] has 2 numbers");
-  expect_message({inclusions(R"({depth="2 mm"})")}, "lower.inclusion[0].depth");
-  expect_message(
+  sample::expect_message(
+      {inclusions(R"({type="cuboid", depth="2 mm", size="1 mm", content="rigid", misfit=[0.01, 0.02]})")},
+      "lower.inclusion[0].misfit = [0.01, 0.02] has 2 numbers");
+  sample::expect_message({inclusions(R"({depth="2 mm"})")}, "lower.inclusion[0].depth");
+  sample::expect_message(
       {inclusions(R"({type="cluster", depth="20 mm", size="20 mm", count=99, diameter="9 mm", content="void"})")},
       "found room");
-  expect_message({"lower.material.hardening={law=\"none\"}", inclusions(ball)}, "allowed: a hardening law");
-  expect_message({"upper.material={rigid=true}",
-                  R"(upper.inclusion={type="ellipsoid", depth="20 mm", size="16 mm", content="void"})"},
-                 "upper.material.rigid does not go with upper.inclusion");
+  sample::expect_message({"lower.material.hardening={law=\"none\"}", inclusions(ball)}, "allowed: a hardening law");
+  sample::expect_message({"upper.material={rigid=true}",
+                          R"(upper.inclusion={type="ellipsoid", depth="20 mm", size="16 mm", content="void"})"},
+                         "upper.material.rigid does not go with upper.inclusion");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/error.hpp"
 #include "brinell/io/case_file.hpp"
 #include "brinell/io/history_csv.hpp"
 #include "brinell/simulation/tugging.hpp"
@@ -34,6 +35,19 @@ spacing = ["3.85 mm", "7.7 mm", "1.925 mm"]
 inline Case parsed(const std::vector<std::string>& overrides = {})
 {
   return parse_case(case_text, "sample.toml", overrides);
+}
+
+inline void expect_message(const std::vector<std::string>& overrides, const std::string& part)
+{
+  try
+  {
+    (void)parsed(overrides);
+    ADD_FAILURE() << "no error for " << overrides.front();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
 }
 
 inline const simulation::TuggingCase& tugging(const Case& c)
