@@ -34,19 +34,18 @@ void displace(const halfspace::SurfaceCompliance& compliance, const halfspace::S
       complete_in_y(grid, 1.0, field.data(), field.size());
 }
 
-/// to + factor * field.
-void add_scaled(double factor, std::span<const double> field, std::span<double> to)
-{
-  for (std::size_t i = 0; i < field.size(); ++i)
-    to[i] += factor * field[i];
-}
-
 bool is_rigid(const ElasticStack& stack)
 {
   return stack.is_homogeneous() && stack.substrate.is_rigid();
 }
 
 } // namespace
+
+void add_scaled(double factor, std::span<const double> field, std::span<double> to)
+{
+  for (std::size_t i = 0; i < field.size(); ++i)
+    to[i] += factor * field[i];
+}
 
 ShearedSurfaces::ShearedSurfaces(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper,
                                  bool couples, double reference)

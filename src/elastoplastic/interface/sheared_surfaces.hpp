@@ -10,6 +10,9 @@
 namespace brinell::elastoplastic
 {
 
+/// to + factor * field.
+void add_scaled(double factor, std::span<const double> field, std::span<double> to);
+
 /// Elastic displacements of two surfaces under a pressure and a shear along x, each surface by itself. The shear is that on the
 /// lower body.
 ///

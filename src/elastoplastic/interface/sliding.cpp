@@ -37,13 +37,6 @@ std::vector<double> stretch(const SurfaceGrid& grid, std::span<const double> she
   return result;
 }
 
-/// to + factor * field.
-void add(double factor, std::span<const double> field, std::span<double> to)
-{
-  for (std::size_t i = 0; i < field.size(); ++i)
-    to[i] += factor * field[i];
-}
-
 } // namespace
 
 SlidingInterface::SlidingInterface(const SurfaceGrid& grid, const ElasticStack& lower, const ElasticStack& upper,
@@ -128,7 +121,7 @@ SlidingInterface::Change SlidingInterface::set_shear(std::span<const double> pre
 void SlidingInterface::add_to_gap(std::span<double> gap) const
 {
   if (surfaces_->changes_gap())
-    add(1.0, state_.depth, gap);
+    add_scaled(1.0, state_.depth, gap);
 }
 
 /// The work of the shear on its own stretch vanishes in sum, because the displacement along x is even in the distance from the
@@ -165,7 +158,7 @@ void SlidingInterface::settle(const Bodies& bodies)
     work_per_area_[i] = in_cell - on_lower + on_upper;
   }
   state_.work = before_.work + sum(work_per_area_) * grid.cell_area();
-  add(1.0, before_.work_at_rest, work_per_area_);
+  add_scaled(1.0, before_.work_at_rest, work_per_area_);
   if (share_at_rest_)
     state_.work_at_rest = work_per_area_;
   else
@@ -189,15 +182,15 @@ std::vector<double> SlidingInterface::heat_of_trial(double slid) const
 std::vector<double> SlidingInterface::heat_of_increment(double slid) const
 {
   std::vector<double> heat = heat_of_trial(slid);
-  add(-1.0, work_per_area_, heat);
+  add_scaled(-1.0, work_per_area_, heat);
   return heat;
 }
 
 void SlidingInterface::add_depth(std::span<double> lower, std::span<double> upper) const
 {
-  add(1.0, state_.lower_depth, lower);
-  add(1.0, state_.depth, upper);
-  add(-1.0, state_.lower_depth, upper);
+  add_scaled(1.0, state_.lower_depth, lower);
+  add_scaled(1.0, state_.depth, upper);
+  add_scaled(-1.0, state_.lower_depth, upper);
 }
 
 double SlidingInterface::elastic_energy(std::span<const double> pressure) const
