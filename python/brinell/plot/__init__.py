@@ -10,10 +10,11 @@ runs of these scenarios), `track_depth` (depth profiles after rolling), `patches
 a sliding), `rough` (several rough surfaces over a period), `creepage` (steady rolling at several creepages), `fields`,
 `sections` and `depth` (one state of any scenario), `slip` and `friction_heat` (stick and slip, and the heat of
 friction, in one state), `current` (electric contact), `history`, `energy` and `wear` (one run step by step), `points`
-(histories at points within the bodies), `residual` (the permanent shape of the surfaces), `temperature` (step by step,
-and in one state), `animation` and `pressure` (one pass as a moving picture), `asperities` (maps and sums of passing
-asperities), `standard` (what suits a run), `surfaces` (a height map), `curves` (a measured stress-strain curve),
-`sweeps` (key numbers over what varies), `fits` (curves, joint intervals and profiles of a fit), `cli` (`brinell plot`).
+(histories at points within the bodies), `interfaces` (tractions between the layers of coated bodies), `residual` (the
+permanent shape of the surfaces), `temperature` (step by step, and in one state), `animation` and `pressure` (one pass
+as a moving picture), `asperities` (maps and sums of passing asperities), `standard` (what suits a run), `surfaces` (a
+height map), `curves` (a measured stress-strain curve), `sweeps` (key numbers over what varies), `fits` (curves, joint
+intervals and profiles of a fit), `cli` (`brinell plot`).
 Below them: `style` (the look of all figures), `placing` (figures in axes of the caller), `scales` (what each quantity
 is divided by), `quantities` (the fields by name), `planes` and `cuts` (fields on a plane), `overlay` (several results
 in one figure), `differences` (their names), `states` (which state and which bodies), `where` (where bodies are cut
@@ -47,6 +48,7 @@ from brinell.plot.fretting import (
 from brinell.plot.friction_heat import friction_heat_map
 from brinell.plot.history import run_history
 from brinell.plot.indentation import contact_pressure, imprint, load_depth
+from brinell.plot.interfaces import interface_tractions
 from brinell.plot.paper import fig11, fig12, fig13, fig14, fig15, overview
 from brinell.plot.patches import contact_patches
 from brinell.plot.planes import Plane
@@ -115,6 +117,7 @@ __all__ = [
     "gap_map",
     "imprint",
     "in_si",
+    "interface_tractions",
     "load_depth",
     "measured_curve",
     "overview",

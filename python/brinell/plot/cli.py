@@ -24,6 +24,7 @@ from brinell.plot import fields as state
 from brinell.plot import history as course
 from brinell.plot import style
 from brinell.plot.fatigue import fatigue_under_surface
+from brinell.plot.interfaces import interface_tractions
 from brinell.plot.planes import Plane, plane_of
 from brinell.plot.points import point_histories
 from brinell.plot.quantities import QUANTITIES, needs_tensors, quantity_of
@@ -350,6 +351,29 @@ def _fatigue(run: Path, body: Literal["lower", "upper"], output: Path | None, fo
     opened = open_run(run)
     figure = fatigue_under_surface(opened, opened.fatigue(body))
     _print(style.save(figure, output or folder_of(run) / "figures", f"fatigue-{body}", formats))
+
+
+@plot.command("interfaces")
+@_run_folder
+@click.option(
+    "--body", type=click.Choice(["lower", "upper"]), help="Coated body; default: the one with layers, first the lower."
+)
+@_steps
+@_into_run
+@_formats
+@_takes_si
+@reports_errors
+def _interfaces(
+    run: Path, body: Literal["lower", "upper"] | None, steps: Sequence[Any], output: Path | None, formats: list[str]
+) -> None:
+    """Draw shear and normal traction on the interfaces of a coated body."""
+    opened = open_run(run, allow_unfinished=True)
+    for which in steps:
+        figure = interface_tractions(opened, opened.snapshot(which), body=body)
+        if figure is None:
+            raise RunError(f"{run}: no interfaces between stored cells of the {body or 'lower or upper'} body")
+        name = f"{_state_name(which)}-interfaces{f'-{body}' if body else ''}"
+        _print(style.save(figure, output or folder_of(run) / "figures", name, formats))
 
 
 @plot.command("points")

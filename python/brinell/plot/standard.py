@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 from matplotlib.figure import Figure
 
-from brinell.plot import current, depth, energy, fatigue, fields, history, points, temperature, wear
+from brinell.plot import current, depth, energy, fatigue, fields, history, interfaces, points, temperature, wear
 from brinell.plot.where import cutting_of, section_of, usual_place
 from brinell.results import Run, Snapshot
 from brinell.scenarios import SCENARIOS
@@ -150,7 +150,22 @@ def _of_loaded_state(run: Run, snapshot: Snapshot) -> Iterator[Named]:
         if not fields.suits(name, snapshot):
             continue
         yield Named(f"loaded-{name}", caption, "loaded", draw())
+    yield from _of_interfaces(run, snapshot)
     yield from _of_heat(run, snapshot)
+
+
+def _of_interfaces(run: Run, snapshot: Snapshot) -> Iterator[Named]:
+    """Tractions on the interfaces of each coated body whose stress is stored."""
+    bodies: tuple[Literal["lower", "upper"], ...] = get_args(Literal["lower", "upper"])
+    for body in bodies:
+        if not (snapshot.lower if body == "lower" else snapshot.upper).stress:
+            continue
+        if (figure := interfaces.interface_tractions(run, snapshot, body=body)) is not None:
+            caption = (
+                f"Shear and normal traction on the interfaces of the {body} body {_place_of_loaded_state(run)}; "
+                "dashed, where drawn: the largest of all stored states."
+            )
+            yield Named(f"loaded-interfaces-{body}", caption, "loaded", figure)
 
 
 def _of_heat(run: Run, snapshot: Snapshot) -> Iterator[Named]:

@@ -16,8 +16,8 @@ result raises a `RunError` that says where the problem is.
 
 Modules: `opening`, `run` (the result; `brinell.scenarios` has the parts that are specific to a scenario), `history`,
 `result_file` (result.vtkhdf), `snapshots` (the fields of a state), `surface_fields` (those that exist where friction,
-heat, wear or a current acts), `fields` and `labelled` (a field over all states),
-`points` (histories at points).
+heat, wear or a current acts), `fields` and `labelled` (a field over all states), `interfaces` (tractions between
+the layers of coated bodies), `points` (histories at points).
 """
 
 from brinell.results.accuracy import Accuracy, RunWarning
@@ -25,6 +25,7 @@ from brinell.results.columns import HISTORY_COLUMNS
 from brinell.results.errors import FORMAT_VERSION, RunError
 from brinell.results.fatigue import Fatigue, FatiguePlace
 from brinell.results.history import History
+from brinell.results.interfaces import Interface
 from brinell.results.labelled import Labelled
 from brinell.results.opening import open_run
 from brinell.results.points import PointHistory
@@ -51,6 +52,7 @@ __all__ = [
     "FrettingCycle",
     "History",
     "Indent",
+    "Interface",
     "Labelled",
     "PointHistory",
     "RollingPass",

@@ -16,6 +16,7 @@ from brinell.results.blocks import blocks_of
 from brinell.results.errors import RunError
 from brinell.results.fatigue import Fatigue, fatigue_of
 from brinell.results.fields import field_names, labelled_field
+from brinell.results.interfaces import Interface, depths_of_interfaces, interfaces_in
 from brinell.results.labelled import Labelled
 from brinell.results.patches import patches_of
 from brinell.results.points import PointHistory, point_histories
@@ -190,6 +191,33 @@ class Run(OfScenarios):
         layered = "surface_modulus_Pa" in (self.summary or {}).get("geometry", {})
         modulus = self._number("geometry", "surface_modulus_Pa" if layered else "contact_modulus_Pa")
         return patches_of(self.snapshot(which).contact, (float(cells[0]), float(cells[1])), boundary, modulus)
+
+    def interface_depths(self, body: Literal["lower", "upper"]) -> list[float]:
+        """Depths of the interfaces between the layers of a body [m], from the surface down; none of a homogeneous one.
+
+        Raises:
+            RunError: the case is missing or damaged.
+        """
+        return depths_of_interfaces(tomllib.loads(self.case_text).get(body, {}).get("material", {}))
+
+    def interfaces(
+        self, body: Literal["lower", "upper"], which: int | Literal["aligned", "final"] | Snapshot = "aligned"
+    ) -> list[Interface]:
+        """Shear and normal traction on the interfaces of a coated body at one step, from the surface down.
+
+        Args:
+            body: the coated body.
+            which: state, as in `snapshot`, or the snapshot.
+
+        Returns:
+            Those with stored cells on both sides; none of a homogeneous body.
+
+        Raises:
+            RunError: there is no such step, or the file is damaged.
+            KeyError: the stress of the body is not stored.
+        """
+        snapshot = which if isinstance(which, Snapshot) else self.snapshot(which)
+        return interfaces_in(snapshot.lower if body == "lower" else snapshot.upper, self.interface_depths(body))
 
     @cached_property
     def patch_history(self) -> dict[int, Patches]:
