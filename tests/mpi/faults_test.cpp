@@ -99,9 +99,38 @@ protected:
   }
 };
 
+/// Whether a process computes no more: it is gone, or its parent has yet to ask for its exit code.
+bool has_ended(pid_t process)
+{
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  const auto name_ends = text.rfind(") ");
+  return name_ends == std::string::npos || text[name_ends + 2] == 'Z';
+}
+
+/// Waits for mpirun. That of Open MPI 4.1 sometimes never ends once a rank has been killed while MPI began (docs/howto/ranks.md): if all
+/// ranks have long ended, it is killed, too.
+/// @param hung  counts those
+Outcome waited_for(Process& mpirun, const std::vector<pid_t>& ranks, int& hung)
+{
+  using clock = std::chrono::steady_clock;
+  for (auto last = clock::now(); mpirun.running(); std::this_thread::sleep_for(1ms))
+    if (!std::ranges::all_of(ranks, has_ended))
+      last = clock::now();
+    else if (clock::now() - last > 20s)
+    {
+      ++hung;
+      mpirun.signal(SIGKILL);
+      break;
+    }
+  return mpirun.wait();
+}
+
 /// Kills a rank at a time of which nothing is known, unless all has ended before.
+/// @param hung  counts what waited_for counts
 /// @returns what became of mpirun
-Outcome killed(Process& process, std::mt19937_64& random, std::chrono::milliseconds latest)
+Outcome killed(Process& process, std::mt19937_64& random, std::chrono::milliseconds latest, int& hung)
 {
   std::this_thread::sleep_for(std::chrono::milliseconds(random() % static_cast<unsigned long>(latest.count())));
   std::vector<pid_t> ranks;
@@ -109,10 +138,10 @@ Outcome killed(Process& process, std::mt19937_64& random, std::chrono::milliseco
     ranks = children(process.id());
   if (!ranks.empty())
     kill(ranks[random() % ranks.size()], SIGKILL);
-  Outcome outcome = process.wait();
+  Outcome outcome = waited_for(process, ranks, hung);
   // The others do not compute on: they have ended with it, or do so at once.
   for (const pid_t rank : ranks)
-    for (int waited = 0; kill(rank, 0) == 0 && waited < 5000; ++waited)
+    for (int waited = 0; !has_ended(rank) && waited < 5000; ++waited)
     {
       EXPECT_LT(waited, 4999) << "rank " << rank << " has not ended";
       std::this_thread::sleep_for(1ms);
@@ -125,7 +154,7 @@ TEST_F(Faults, KilledAtAnyTimeOthersGoOn)
   constexpr int count = 100;
   const test::Sweep kills(count);
   std::array<std::chrono::milliseconds, cases_of_few_steps> duration{};
-  int done = 0, completed = 0, begun = 0, resumed = 0;
+  int done = 0, completed = 0, begun = 0, resumed = 0, hung = 0;
   for (int number = 0; number < count; ++number)
   {
     if (!kills.has(number) || (!kills.is_whole() && number / test::Sweep::parts % 3 != 0))
@@ -149,7 +178,7 @@ TEST_F(Faults, KilledAtAnyTimeOthersGoOn)
       const bool computes = number % 2 == 1; // most of the others die while MPI begins, which takes most of the time
       if (computes)
         wait_for_rows(process, output, 1);
-      const Outcome outcome = killed(process, random, computes ? 20ms : duration[which]);
+      const Outcome outcome = killed(process, random, computes ? 20ms : duration[which], hung);
       if (outcome.exit_code == 0)
       {
         EXPECT_TRUE(is_complete(output));
@@ -165,8 +194,10 @@ TEST_F(Faults, KilledAtAnyTimeOthersGoOn)
       expect_going_on(static_cast<int>(random() % 5), which, output); // 0: the program without MPI
     fs::remove_all(folder() / output);
   }
-  std::printf("%d times killed: %d had begun to write, %d were complete, %d began with a resume\n", done, begun,
-              completed, resumed);
+  std::printf(
+      "%d times killed: %d had begun to write, %d were complete, %d began with a resume; mpirun hung %d times\n", done,
+      begun, completed, resumed, hung);
+  EXPECT_LE(hung, 1 + done / 25) << "of mpirun, whose ranks had ended";
   EXPECT_GT(begun, completed) << "no kill came while ranks computed";
 }
 
