@@ -42,6 +42,19 @@ ElasticStack ElasticStack::merged() const
   return result;
 }
 
+ElasticStack ElasticStack::without_top(double depth) const
+{
+  ElasticStack result{{}, substrate};
+  for (const ElasticLayer& layer : layers)
+  {
+    const double left = layer.thickness - depth;
+    depth = std::max(0.0, -left);
+    if (left > 0.0)
+      result.layers.push_back({left, layer.elastic});
+  }
+  return result;
+}
+
 namespace green
 {
 
@@ -350,6 +363,21 @@ WaveCompliance StackWave::compliance() const
       displacement(WaveLoad::pressure, field_of(WaveLoad::pressure), 0, 0.0);
   return {by_pressure_z, by_pressure_l, displacement(WaveLoad::along, field_of(WaveLoad::along), 0, 0.0)[0],
           displacement(WaveLoad::across, field_of(WaveLoad::across), 0, 0.0)[2]};
+}
+
+double change_of_compliance(const ElasticStack& from, const ElasticStack& to, double k_least, double k_largest)
+{
+  constexpr double per_octave = 16.0;
+  const int waves = std::max(1, static_cast<int>(std::ceil(per_octave * std::log2(k_largest / k_least))));
+  double largest = 0.0;
+  for (int n = 0; n <= waves; ++n)
+  {
+    const double k = k_least * std::pow(k_largest / k_least, static_cast<double>(n) / waves);
+    const double change = StackWave(to, k).compliance().normal / StackWave(from, k).compliance().normal - 1.0;
+    if (std::abs(change) > std::abs(largest))
+      largest = change;
+  }
+  return largest;
 }
 
 } // namespace green

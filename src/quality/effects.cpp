@@ -68,6 +68,7 @@ void warn_of_wear(const Facts& facts, const RunTotals& totals, std::vector<Warni
                "and residual stress keep their depth below the worn surface, which is an estimate above {}",
                side == 0 ? "lower" : "upper", length_text(worn[side]), percent_text(worn[side] / facts.cell[2]),
                percent_text(largest_worn_share_of_layer))});
+  warn_of_worn_coats(facts, totals, warnings);
 }
 
 /// Warns where the contact moves on before the heat of its spots has become steady.

@@ -47,6 +47,9 @@ void withhold_errors(const Facts& facts, const simulation::RunTotals* seen, Reso
 /// @returns whether there are any: the expected errors do not hold then, docs/verification/accuracy.md (coats)
 bool warn_of_coats(const Facts& facts, std::vector<Warning>& warnings);
 
+/// Warns of coats that have worn so much thinner that the body would give way otherwise than it is computed, or worn through.
+void warn_of_worn_coats(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
+
 /// Warns of inclusions that few cells resolve, and of those that the grid cuts or leaves out.
 void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings);
 

@@ -38,6 +38,8 @@ struct ElasticStack
   [[nodiscard]] const Elastic& at(double depth) const { return of_layer(layer_at(depth)); }
   /// The body with as few layers as possible: neighbours of equal constants are one.
   [[nodiscard]] ElasticStack merged() const;
+  /// The body without what lies above a depth [m], >= 0, as wear takes it off.
+  [[nodiscard]] ElasticStack without_top(double depth) const;
   bool operator==(const ElasticStack&) const = default;
 };
 

@@ -114,4 +114,14 @@ private:
   std::vector<Layer> layers_; ///< the last one is the substrate, unless that is rigid
 };
 
+/// By how much the surface of one body gives way more to a pressure than that of another, relative to the other, where the difference
+/// is largest among the waves between two wavenumbers; negative where it gives way less.
+///
+/// Every pressure made of these waves does at most this share more work, or less, and so does the least complementary energy of a
+/// contact, which no admissible pressure undercuts.
+/// @param k_least, k_largest  [rad/m], > 0; 16 wavenumbers to the octave are compared
+/// @throws InputError if a thickness or a constant is not allowed
+[[nodiscard]] double change_of_compliance(const ElasticStack& from, const ElasticStack& to, double k_least,
+                                          double k_largest);
+
 } // namespace brinell::green

@@ -30,10 +30,6 @@ void check_layers(const PairCase& c, const Plan& plan)
     if (body->fatigue)
       throw PlanError("{} and {}: fatigue is computed for homogeneous bodies only; allowed: one of them", layers,
                       member_of(name, "fatigue"));
-    if (c.wear.wears())
-      throw PlanError("{} and {}: wear would make the layers thinner, which is not computed; allowed: "
-                      "one of them",
-                      c.wear.lower > 0.0 ? "`WearLaw::lower`" : "`WearLaw::upper`", layers);
     try
     {
       halfspace::require_resolved(plan.contact, body->material.stack());

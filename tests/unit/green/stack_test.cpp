@@ -223,6 +223,34 @@ TEST(Stack, MeanStressIsTheIntegral)
   }
 }
 
+TEST(Stack, IsThinnedFromTheTop)
+{
+  const Elastic hard{400e9, 0.2}, soft{80e9, 0.35}, steel{210e9, 0.3};
+  const ElasticStack stack{{{2.0, hard}, {1.0, soft}}, steel};
+  EXPECT_EQ(stack.without_top(0.0), stack);
+  EXPECT_EQ(stack.without_top(0.5), (ElasticStack{{{1.5, hard}, {1.0, soft}}, steel}));
+  EXPECT_EQ(stack.without_top(2.0), (ElasticStack{{{1.0, soft}}, steel}));
+  EXPECT_EQ(stack.without_top(2.25), (ElasticStack{{{0.75, soft}}, steel}));
+  EXPECT_EQ(stack.without_top(7.0), (ElasticStack{{}, steel}));
+}
+
+TEST(Stack, ComplianceChangesByWhatIsTakenOff)
+{
+  const Elastic hard{400e9, 0.2}, steel{210e9, 0.3};
+  const ElasticStack bare{{}, steel}, coated{{{1.0, hard}}, steel};
+  EXPECT_EQ(change_of_compliance(coated, coated, 0.01, 100.0), 0.0);
+  // Short waves feel one of the two half spaces.
+  const auto compliance = [](const Elastic& e) { return (1.0 - e.poisson_ratio * e.poisson_ratio) / e.young_modulus; };
+  EXPECT_NEAR(change_of_compliance(coated, bare, 0.01, 100.0), compliance(steel) / compliance(hard) - 1.0, 1e-9);
+  EXPECT_NEAR(change_of_compliance(bare, coated, 0.01, 100.0), compliance(hard) / compliance(steel) - 1.0, 1e-9);
+  // Far below the thickness, a thinner coat changes nothing; in proportion to what is lost elsewhere.
+  EXPECT_NEAR(change_of_compliance(coated, coated.without_top(0.1), 40.0, 100.0), 0.0, 1e-9);
+  const double one = change_of_compliance(coated, coated.without_top(0.01), 0.01, 100.0),
+               two = change_of_compliance(coated, coated.without_top(0.02), 0.01, 100.0);
+  EXPECT_GT(one, 1e-3);
+  EXPECT_NEAR(two / one, 2.0, 0.03);
+}
+
 TEST(Stack, RefusesWhatIsNoStack)
 {
   const Elastic steel{210e9, 0.3};

@@ -2,6 +2,7 @@
 #include "brinell/contact/elastic_contact.hpp"
 #include "brinell/foundation/deviator.hpp"
 #include "brinell/foundation/error.hpp"
+#include "brinell/green/stack.hpp"
 #include "brinell/halfspace/half_space.hpp"
 #include "brinell/reference/coated_contact.hpp"
 #include "brinell/reference/critical.hpp"
@@ -316,6 +317,25 @@ TEST(CoatedYieldTest, NothingYieldsThatIsStrongEnough)
 {
   EXPECT_FALSE(coated_first_yield(radius, coated(a, 420e9), rigid, [](std::size_t, double) { return inf; }, {}));
   EXPECT_FALSE(coated_first_yield(radius, coated(a, 420e9), rigid, [](std::size_t, double) { return 1e13; }, {}));
+}
+
+// What quality tells of a worn coat: no contact changes by more than the wave that changes most.
+TEST(CoatedContactTest, ChangesByLessThanTheComplianceOfItsWaves)
+{
+  for (const double modulus : {20e9, 70e9, 600e9, 2100e9})
+    for (const double thickness : {0.1 * a, 0.5 * a, 2.0 * a})
+      for (const double worn : {0.05, 0.4})
+      {
+        SCOPED_TRACE(testing::Message() << modulus << " Pa, " << thickness / a << ", " << worn);
+        const ElasticStack before = coated(thickness, modulus), after = before.without_top(worn * thickness);
+        const double bound = green::change_of_compliance(before, after, 0.01 / a, 100.0 / a);
+        const double approach = CoatedContact::at_load(radius, 0.1, before, rigid).approach(),
+                     worn_approach = CoatedContact::at_load(radius, 0.1, after, rigid).approach();
+        const double change = worn_approach / approach - 1.0;
+        EXPECT_GT(change * bound, 0.0);
+        EXPECT_LT(std::abs(change), std::abs(bound));
+        EXPECT_GT(std::abs(change), 0.02 * std::abs(bound)) << "the bound says nothing";
+      }
 }
 
 TEST(CoatedContactTest, RefusesWhatItCannotResolve)

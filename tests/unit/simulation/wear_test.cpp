@@ -326,5 +326,47 @@ TEST(WearTest, IsToldWhereItIsAnEstimate)
     EXPECT_NE(w.key, "long_wear_step") << w.text;
 }
 
+TEST(WearTest, CoatsThatAreWornThinAreTold)
+{
+  struct Told
+  {
+    double share; ///< worn depth over the thickness of the coat
+    std::vector<std::string> keys, texts;
+  };
+  const auto told_of = [](double coefficient, double modulus, double thickness = 10e-6)
+  {
+    SlidingCase c = ball();
+    c.lower.material = {{210e9, 0.3}, {}};
+    c.lower.material.layers = {{thickness, {modulus, 0.3}}};
+    c.upper.material.hardening.reset();
+    c.wear = {.lower = coefficient, .upper = 0.0};
+    const WornRun<SlidingCase> r = worn(c);
+    Told told{r.history.back().max_worn_depth_lower / thickness, {}, {}};
+    for (const quality::Warning& w : quality::judged(c, plan(c), r.summary).warnings)
+      if (w.key.starts_with("worn_"))
+      {
+        told.keys.push_back(w.key);
+        told.texts.push_back(w.text);
+      }
+    return told;
+  };
+  using Keys = std::vector<std::string>;
+  const Told little = told_of(1e-13, 420e9);
+  EXPECT_GT(little.share, 0.0);
+  EXPECT_LT(little.share, 0.002);
+  EXPECT_EQ(little.keys, Keys{});
+  for (const auto& [modulus, word] : {std::pair{420e9, "more than"}, {70e9, "less than"}})
+  {
+    const Told much = told_of(3e-11, modulus);
+    EXPECT_GT(much.share, 0.02);
+    ASSERT_EQ(much.keys, Keys{"worn_coat"}) << much.share;
+    EXPECT_NE(much.texts[0].find(word), std::string::npos) << much.texts[0];
+  }
+  EXPECT_EQ(told_of(3e-11, 211e9).keys, Keys{}); // nearly the substrate
+  const Told all = told_of(1e-9, 420e9, 4e-6);
+  EXPECT_GT(all.share, 1.0);
+  EXPECT_EQ(all.keys, Keys{"worn_through"});
+}
+
 } // namespace
 } // namespace brinell::simulation::wear_test
