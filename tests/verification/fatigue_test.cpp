@@ -3,6 +3,7 @@
 #include "order.hpp"
 #include "scenario_runs.hpp"
 
+#include "brinell/green/stack.hpp"
 #include "brinell/simulation/sliding.hpp"
 
 #include <gtest/gtest.h>
@@ -253,6 +254,93 @@ TEST(FatigueTest, OrthogonalShearUnderASlidingWave)
               (all.path_error + errors.back()) * largest / std::numbers::e);
   EXPECT_FALSE(all.is_short) << "a periodic contact passes all columns";
   EXPECT_NEAR(all.life, 1.0, 0.02);
+}
+
+/// The fatigue of a flat with a coat, on which a wave slides that touches it everywhere.
+struct UnderACoat
+{
+  std::vector<double> shear; ///< orthogonal, of each layer of cells [Pa]
+  FatigueSummary summary;
+  VolumeGrid grid;
+};
+
+UnderACoat under_a_coat(const constitutive::Material& flat, double load_per_area, double amplitude, int cells)
+{
+  constexpr double wavelength = 1e-3;
+  simulation::SlidingCase c;
+  c.lower = {simulation::Plane{}, flat};
+  c.lower.fatigue = Fatigue{
+      .criterion = Fatigue::Criterion::findley, .torsion_limit = 400e6, .bending_limit = 600e6, .whole_map = true};
+  c.upper = {simulation::Plane{}, steel};
+  c.upper.texture = simulation::Sinusoid{.amplitude = amplitude, .wavelength_x = wavelength};
+  c.domain.x = {Boundary::periodic, wavelength, cells};
+  c.domain.y = {Boundary::periodic, wavelength, 1};
+  c.press = load(load_per_area * wavelength * wavelength);
+  c.press_steps = 1;
+  c.distance = wavelength;
+  simulation::Run<simulation::SlidingCase> run(c);
+  simulation::finish(run);
+  const simulation::StepFields fields = run.fields();
+  UnderACoat result{{}, *run.totals().fatigue[0], fields.surfaces.lower.grid};
+  const std::vector<double> field = fields.lower.fatigue.at(0)().whole();
+  for (int k = 0; k < result.grid.nz; ++k)
+    result.shear.push_back(field[result.grid.index(cells / 2, 0, k)]);
+  return result;
+}
+
+// Beneath coats, which are not judged, the shear is that of the wave in the stack, and that of the homogeneous body beneath a coat of
+// its own constants.
+TEST(FatigueTest, IsThatOfTheBodyBeneathItsCoats)
+{
+  constexpr double k = 2.0 * std::numbers::pi / 1e-3, amplitude = 1e-6, thickness = 0.25 / k;
+  for (const double modulus : {70e9, 210e9, 600e9})
+  {
+    SCOPED_TRACE(modulus);
+    constitutive::Material coated = steel;
+    coated.layers = {{thickness, {modulus, 0.3}, {}, {}}};
+    const green::StackWave wave(coated.stack(), k);
+    const double pressure =
+        amplitude / (wave.compliance().normal + green::StackWave({{}, steel.elastic}, k).compliance().normal);
+    const green::StackWave::Field field = wave.field_of(green::WaveLoad::pressure);
+    constexpr int cells = 16;
+    const UnderACoat found = under_a_coat(coated, 1.5 * pressure, amplitude, cells);
+    const VolumeGrid& grid = found.grid;
+    const int coat = static_cast<int>(std::lround(thickness / grid.dz));
+    ASSERT_NEAR(coat * grid.dz, thickness, 1e-9 * thickness);
+    for (int layer = 0; layer < grid.nz; ++layer)
+    {
+      EXPECT_EQ(std::isnan(found.shear[layer]), layer < coat) << layer;
+      if (layer < coat)
+        continue;
+      const double exact =
+          wave.mean_stress(green::WaveLoad::pressure, field, 1, layer * grid.dz, (layer + 1) * grid.dz).lz;
+      EXPECT_NEAR(found.shear[layer] / pressure, std::abs(exact), 2e-7) << layer; // of numbers in single precision
+    }
+    EXPECT_GT(found.summary.orthogonal_shear.depth, thickness);
+    EXPECT_FALSE(std::isnan(found.summary.stress_volume));
+    if (modulus == steel.elastic.young_modulus)
+    {
+      const UnderACoat plain = under_a_coat(steel, 1.5 * pressure, amplitude, cells);
+      EXPECT_NEAR(found.summary.utilisation->value, plain.summary.utilisation->value,
+                  0.02 * plain.summary.utilisation->value);
+    }
+  }
+}
+
+TEST(FatigueTest, NeedsCellsBeneathTheCoats)
+{
+  RollingCase c = rolling_line(steel, p0, 6.0, 4.0);
+  c.lower.material.layers = {{1e-3, {300e9, 0.3}, {}, {}}};
+  try
+  {
+    static_cast<void>(simulation::plan(c));
+    FAIL();
+  }
+  catch (const std::exception& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("that of the body beneath its layers is computed"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(FatigueTest, AShortPassHasNoLife)

@@ -102,13 +102,13 @@ double layer_thickness(const Domain& domain, double dx, double dy)
   return 0.5 * (is_one_row(domain, dy) ? dx : std::min(dx, dy));
 }
 
-/// Thickness of layers of cells that end at the interfaces of coated bodies that can yield: the given one, or the next smaller one
-/// that divides the uppermost coat. The given one where that would be less than a quarter of it.
+/// Thickness of layers of cells that end at the interfaces of coated bodies that need it: the given one, or the next smaller one that
+/// divides the uppermost coat. The given one where that would be less than a quarter of it.
 double fitted_to_coats(const PairCase& pair, double dz)
 {
   std::vector<ElasticStack> stacks;
   for (const ShapedBody* body : {&pair.lower, &pair.upper})
-    if (body->material.is_plastic() && !body->material.layers.empty())
+    if (needs_aligned_cells(*body))
       stacks.push_back(body->material.stack());
   if (stacks.empty())
     return dz;
@@ -139,6 +139,11 @@ void require_ends_at_cells(const Domain& domain, double length, double dy)
 }
 
 } // namespace
+
+bool needs_aligned_cells(const ShapedBody& body)
+{
+  return !body.material.layers.empty() && (body.material.is_plastic() || body.fatigue);
+}
 
 std::array<double, 3> cell_sizes(const PairCase& pair, const ContactSize& contact, double aspect)
 {

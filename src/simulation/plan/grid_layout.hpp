@@ -14,9 +14,11 @@ struct ContactSize
   bool straight_y = false;           ///< the contact ends at the ends of a roller, where cells have to end too
 };
 
+/// Whether layers of cells must end at the interfaces of a body: of a coated one that can yield, or whose fatigue is computed.
+[[nodiscard]] bool needs_aligned_cells(const ShapedBody& body);
+
 /// Cell sizes dx, dy, dz [m] from the size of the contact, unless they are given. Along a periodic axis the period is a whole
-/// number of cells. Under coatings, layers of cells end at the interfaces, as plastic strain needs, where at most four times as many
-/// do.
+/// number of cells. Under coatings, layers of cells end at the interfaces where these need it and at most four times as many do.
 /// @param aspect  dy over dx for a round contact.
 /// @throws GridError; PlanError if a period is not a whole number of given cells
 [[nodiscard]] std::array<double, 3> cell_sizes(const PairCase& pair, const ContactSize& contact, double aspect);

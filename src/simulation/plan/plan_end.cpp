@@ -4,6 +4,7 @@
 #include "domain.hpp"
 #include "embedding.hpp"
 #include "footprint.hpp"
+#include "grid_layout.hpp"
 #include "heat.hpp"
 #include "memory.hpp"
 
@@ -27,21 +28,23 @@ void check_layers(const PairCase& c, const Plan& plan)
     if (body->material.layers.empty())
       continue;
     const std::string layers = member_of(name, "material.layers");
-    if (body->fatigue)
-      throw PlanError("{} and {}: fatigue is computed for homogeneous bodies only; allowed: one of them", layers,
-                      member_of(name, "fatigue"));
     try
     {
       halfspace::require_resolved(plan.contact, body->material.stack());
       if (body->material.electrical)
         halfspace::require_resolved(plan.contact, in_shear(body->material.conductors()));
-      if (body->material.is_plastic())
+      if (needs_aligned_cells(*body))
         halfspace::require_aligned(*grid, body->material.stack());
     }
     catch (const InputError& error)
     {
       throw PlanError("{}: {}", layers, error.what());
     }
+    const double bottom = body->material.stack().thickness();
+    if (body->fatigue && grid->nz * grid->dz < bottom + 0.5 * grid->dz)
+      throw PlanError("{} with cells down to {:g} m only and {} of {:g} m: that of the body beneath its layers is "
+                      "computed; allowed: a larger `Numerics::extent`",
+                      member_of(name, "fatigue"), grid->nz * grid->dz, layers, bottom);
   }
 }
 

@@ -176,7 +176,7 @@ std::vector<FatigueOfBody::Candidate> FatigueOfBody::candidates(bool on_planes, 
   const int nx = grid_.surface.nx, rows = samples_.rows();
   const Columns judged = judged_columns();
   std::vector<Candidate> result;
-  for (int strip = 0; strip < samples_.strips(); ++strip)
+  for (int strip = strips_of_coats(); strip < samples_.strips(); ++strip)
     for (int i = 0; i < nx; ++i)
     {
       const auto at = static_cast<std::size_t>(strip) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
@@ -254,6 +254,11 @@ void FatigueOfBody::copy_to_mirror_images(FatigueFields& fields) const
                     field.begin() + static_cast<std::ptrdiff_t>(grid_.index(0, j, k)));
 }
 
+int FatigueOfBody::strips_of_coats() const
+{
+  return samples_.rows() * layers_of_coats(body_.material, grid_);
+}
+
 /// The columns over which the contact has passed as a whole in the cycle; all of a periodic surface, whose contact has no ends.
 std::optional<FatigueOfBody::Columns> FatigueOfBody::passed_columns() const
 {
@@ -281,8 +286,8 @@ void FatigueOfBody::find_life(Result& result) const
   std::vector<double> columns(static_cast<std::size_t>(end - begin));
   double of_first_layer = 0.0;
   const double area = grid_.surface.dy * grid_.dz / (milli * milli);
-  const int rows = samples_.rows();
-  for (int strip = 0; strip < samples_.strips(); ++strip)
+  const int rows = samples_.rows(), first = strips_of_coats();
+  for (int strip = first; strip < samples_.strips(); ++strip)
   {
     const int j = strip % rows, k = strip / rows;
     const double weight =
@@ -294,7 +299,7 @@ void FatigueOfBody::find_life(Result& result) const
         continue;
       const double part = weight * std::pow(shear / giga, fatigue_.stress_exponent);
       columns[static_cast<std::size_t>(i - begin)] += part;
-      of_first_layer += k == 0 ? part : 0.0;
+      of_first_layer += k == first / rows ? part : 0.0;
     }
   }
   const double whole = std::accumulate(columns.begin(), columns.end(), 0.0);
@@ -320,7 +325,7 @@ void FatigueOfBody::summarise(Result& result) const
   for (FatiguePlace& place : places)
     place.value = -std::numeric_limits<double>::infinity();
   const int rows = samples_.rows();
-  for (int strip = 0; strip < samples_.strips(); ++strip)
+  for (int strip = strips_of_coats(); strip < samples_.strips(); ++strip)
     for (int i = first; i < end; ++i)
     {
       const int j = strip % rows, k = strip / rows;
@@ -333,7 +338,7 @@ void FatigueOfBody::summarise(Result& result) const
       s.shares[static_cast<std::size_t>(result.fields[shakedown][cell])] += surface.copies_of_row(j);
     }
   for (double& share : s.shares)
-    share /= static_cast<double>(end - first) * surface.ny * grid_.nz;
+    share /= static_cast<double>(end - first) * surface.ny * (grid_.nz - strips_of_coats() / rows);
   s.orthogonal_shear = places[orthogonal];
   s.principal_shear = places[principal];
   s.plastic_strain = places[plastic_strain].value;
@@ -354,7 +359,11 @@ const FatigueOfBody::Result& FatigueOfBody::result() const
     return *result_;
   Result found;
   for (std::vector<double>& field : found.fields)
+  {
     field.resize(grid_.size());
+    std::fill_n(field.begin(), grid_.index(0, 0, layers_of_coats(body_.material, grid_)),
+                std::numeric_limits<double>::quiet_NaN());
+  }
   if (grid_.size() > 0)
   {
     const FatigueCriterion criterion(fatigue_);
@@ -363,7 +372,7 @@ const FatigueOfBody::Result& FatigueOfBody::result() const
     {
       Lanes lanes;
 #pragma omp for schedule(dynamic)
-      for (int strip = 0; strip < samples_.strips(); ++strip)
+      for (int strip = strips_of_coats(); strip < samples_.strips(); ++strip)
       {
         judge_strip(strip, criterion, lanes, found.fields, slack);
         judge_strain(strip, found.fields);

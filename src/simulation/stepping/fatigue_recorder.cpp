@@ -70,6 +70,12 @@ std::vector<float> moved(const std::vector<float>& field, const VolumeGrid& from
 
 } // namespace
 
+int layers_of_coats(const constitutive::Material& material, const VolumeGrid& grid)
+{
+  const double bottom = material.stack().thickness();
+  return std::clamp(static_cast<int>(std::ceil(bottom / grid.dz - 0.5)), 0, grid.nz);
+}
+
 bool follows_fatigue(const ShapedBody& body)
 {
   return body.fatigue && !body.material.elastic.is_rigid();

@@ -79,6 +79,8 @@ private:
   void copy_to_mirror_images(FatigueFields& fields) const;
   void summarise(Result& result) const;
   void find_life(Result& result) const;
+  /// Strips within the layers on the body, which come first and are not judged: the constants are those of the substrate.
+  [[nodiscard]] int strips_of_coats() const;
   [[nodiscard]] std::optional<Columns> passed_columns() const;
   [[nodiscard]] Columns judged_columns() const;
 
@@ -101,6 +103,9 @@ private:
   double most_pressure_ = 0.0;           ///< in the cycle [Pa]
   mutable std::optional<Result> result_; ///< of the present state
 };
+
+/// Layers of cells with their centres in the layers on a body.
+[[nodiscard]] int layers_of_coats(const constitutive::Material& material, const VolumeGrid& grid);
 
 /// Whether the fatigue of a body is computed.
 [[nodiscard]] bool follows_fatigue(const ShapedBody& body);
