@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 
 from brinell.plot import style
 from brinell.plot.scales import si
@@ -48,7 +49,8 @@ def fatigue_under_surface(run: Run, fatigue: Fatigue, *, ax: style.Target | None
     left.set_title(f"{fatigue.body} body, y = {style.quantity(worst.y, 'm') if abs(worst.y) > 1e-12 else '0'}")
     fig.colorbar(image, ax=left, label=text)
     if np.isnan(section.values).any():
-        left.text(0.02, 0.02, "white: not evaluated", transform=left.transAxes, fontsize=style.font(8))
+        note = left.text(0.02, 0.02, "white: not evaluated", transform=left.transAxes, fontsize=style.font(8))
+        note.set_path_effects([withStroke(linewidth=2.0, foreground="white", alpha=0.8)])
     layers, values = fatigue.depth_profile(name)
     right.plot(layers / depth.size, values / size, color=style.LOWER if fatigue.body == "lower" else style.UPPER)
     right.set_xlim(left=0.0)

@@ -286,8 +286,8 @@ void FatigueOfBody::find_life(Result& result) const
   std::vector<double> columns(static_cast<std::size_t>(end - begin));
   double of_first_layer = 0.0;
   const double area = grid_.surface.dy * grid_.dz / (milli * milli);
-  const int rows = samples_.rows(), first = strips_of_coats();
-  for (int strip = first; strip < samples_.strips(); ++strip)
+  const int rows = samples_.rows();
+  for (int strip = strips_of_coats(); strip < samples_.strips(); ++strip)
   {
     const int j = strip % rows, k = strip / rows;
     const double weight =
@@ -299,7 +299,7 @@ void FatigueOfBody::find_life(Result& result) const
         continue;
       const double part = weight * std::pow(shear / giga, fatigue_.stress_exponent);
       columns[static_cast<std::size_t>(i - begin)] += part;
-      of_first_layer += k == first / rows ? part : 0.0;
+      of_first_layer += k == 0 ? part : 0.0; // none under a coat
     }
   }
   const double whole = std::accumulate(columns.begin(), columns.end(), 0.0);
