@@ -34,9 +34,9 @@ bool Material::is_plastic() const
 
 bool Material::is_perfectly_plastic() const
 {
-  const auto all = laws();
-  return kinematic.empty() &&
-         std::any_of(all.begin(), all.end(), [](const auto& law) { return law && never_hardens(*law); });
+  const auto perfect = [](const std::optional<HardeningLaw>& law) { return law && never_hardens(*law); };
+  return (kinematic.empty() && perfect(hardening)) ||
+         std::any_of(layers.begin(), layers.end(), [&](const Coat& layer) { return perfect(layer.hardening); });
 }
 
 const HardeningLaw& Material::law() const

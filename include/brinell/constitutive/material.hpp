@@ -46,14 +46,14 @@ struct Material
 {
   Elastic elastic;
   std::optional<HardeningLaw> hardening;  ///< size of the yield surface; empty: the body stays elastic
-  std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move the yield surface
+  std::vector<KinematicTerm> kinematic{}; ///< back stresses, which move the yield surface, of the substrate
   DepthProfile yield_factor{};      ///< factor on the yield stress, e.g. of a case-hardened body; 1 without points
   DepthProfile initial_stress{};    ///< biaxial stress xx = yy before the first load [Pa], tension positive
   std::optional<Thermal> thermal{}; ///< empty: the temperature of the body is not computed
   double temperature = 20.0;        ///< of the bulk [deg C]
   std::optional<Electrical> electrical{};  ///< empty: the body insulates
   std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
-  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening and heat.
+  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening and heat of their own.
   std::vector<Coat> layers{};
 
   [[nodiscard]] bool is_plastic() const;

@@ -126,6 +126,12 @@ struct Yield
   {
     return laws[law_of[layer_of(cell)]];
   }
+  /// Terms of kinematic hardening in a cell: coats have none.
+  [[nodiscard]] std::span<const constitutive::KinematicTerm> terms_at(std::size_t cell) const
+  {
+    return law_of[layer_of(cell)] + 1 == laws.size() ? std::span(material.kinematic)
+                                                     : std::span<const constitutive::KinematicTerm>();
+  }
   /// Calls work(law, first, last) for parts of the cells [first, last) of a list whose law is the same.
   template <typename Work>
   void with_laws(std::span<const std::size_t> cells, std::size_t first, std::size_t last, const Work& work) const

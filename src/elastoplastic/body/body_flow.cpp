@@ -165,9 +165,8 @@ constitutive::PlasticIncrement increment(BodyParts& b, const Law& law, std::size
   const std::span<Deviator> back = b.trial.active.backstress(a);
   for (std::size_t term = 0; term < back.size(); ++term)
     back[term] = b.backstress(cell, term);
-  return constitutive::flow(law, b.yield.material.kinematic, integration,
-                            deviator_at(b.state.stress, b.grid.size(), cell), b.trial.active.trial(a),
-                            b.state.equivalent[cell], b.stiffness(cell), back);
+  return constitutive::flow(law, b.yield.terms_at(cell), integration, deviator_at(b.state.stress, b.grid.size(), cell),
+                            b.trial.active.trial(a), b.state.equivalent[cell], b.stiffness(cell), back);
 }
 
 /// Plastic flow in the active cells [first, last).

@@ -103,7 +103,6 @@ void refuse_with_layers(const CaseReader& reader, const std::string& table, cons
   };
   refuse(material.thermal.has_value(), table + "thermal.conductivity");
   refuse(material.softening.has_value(), table + "softening.law");
-  refuse(!material.kinematic.empty(), table + "hardening.back_stresses");
 }
 
 constitutive::DepthProfile profile(const CaseReader& reader, const std::string& table, const char* value)

@@ -120,6 +120,40 @@ TEST(CoatedIncrement, LawsOfLayersAreAProfileOfTheYieldStress)
   EXPECT_LT(difference(b.flat().equivalent, a.flat().equivalent), 1e-8);
 }
 
+TEST(CoatedIncrement, BackStressesAreThoseOfTheSubstrate)
+{
+  // A coat of the same elastic constants that does not yield, and one body whose uppermost cells are too strong to; pressed, lifted and
+  // pressed again, so that the back stresses have turned. Then one that yields without back stresses of its own.
+  const constitutive::HardeningLaw perfect = constitutive::PerfectPlasticity{1e9};
+  Material strong{steel, perfect, {{40e9, 100.0}, {5e9, 0.0}}}, layered = strong;
+  layered.layers = {{1e-6, steel, {}}};
+  strong.yield_factor = constitutive::DepthProfile({0.99e-6, 1.01e-6}, {1e3, 1.0});
+  Press a(strong), b(layered);
+  layered.layers = {{1e-6, steel, constitutive::HardeningLaw(constitutive::LinearHardening{1e9, 10e9})}};
+  Press c(layered);
+  for (const double interference : {150e-9, 300e-9, 0.0, 250e-9, 320e-9})
+  {
+    ASSERT_TRUE(a.press(interference));
+    ASSERT_TRUE(b.press(interference));
+    ASSERT_TRUE(c.press(interference));
+  }
+  EXPECT_GT(largest(a.flat().equivalent), 5e-3);
+  EXPECT_GT(largest(a.flat().backstress), 1e7);
+  EXPECT_NEAR(b.load(), a.load(), 1e-9 * a.load());
+  EXPECT_LT(difference(b.flat().equivalent, a.flat().equivalent), 1e-8);
+  EXPECT_LT(difference(b.flat().backstress, a.flat().backstress), 1e-8);
+  const BodyState& state = c.flat();
+  const std::size_t cells = state.equivalent.size(), in_coat = 2 * state.equivalent.size() / nz; // of dz = 0.5 um
+  ASSERT_EQ(dz, 0.5e-6);
+  EXPECT_GT(
+      *std::max_element(state.equivalent.begin(), state.equivalent.begin() + static_cast<std::ptrdiff_t>(in_coat)),
+      1e-3);
+  for (std::size_t field = 0; field < state.backstress.size() / cells; ++field)
+    for (std::size_t cell = 0; cell < in_coat; ++cell)
+      ASSERT_EQ(state.backstress[field * cells + cell], 0.0);
+  EXPECT_GT(largest(state.backstress), 1e7);
+}
+
 /// Hard on soft, soft on hard with different kinds of laws, and a coat that stays elastic.
 std::vector<Material> coated()
 {

@@ -78,10 +78,6 @@ TEST(LayersCase, ErrorsNameTheLayer)
                          "layers[0].poisson_ratio");
   sample::expect_message({layers(R"([{thickness="2 GPa", young_modulus=4e11, poisson_ratio=0.2}])")},
                          "layers[0].thickness = \"2 GPa\" is a pressure");
-  sample::expect_message(
-      {layers(std::string("[") + hard + "]"),
-       R"(lower.material.hardening={law="perfect", yield_stress=1e9, back_stresses=[{modulus=1e9}]})"},
-      "back_stresses does not go with lower.material.layers");
   sample::expect_message({R"(grid.spacing=["3.85 mm", "7.7 mm", "1 mm"])",
                           layers(R"([{thickness="1 mm", young_modulus=4e11, poisson_ratio=0.2}])")},
                          "lower.material.layers: the first layer is 0.001 m thick on cells of 0.0077 m");
