@@ -16,7 +16,7 @@ FLOORS = {
     "green": {"foundation"},
     "constitutive": {"foundation", "green"},
     "halfspace": {"foundation", "green"},
-    "device": {"foundation", "green", "constitutive", "halfspace", "contact"},
+    "device": {"foundation", "green", "constitutive", "halfspace", "contact", "elastoplastic"},
     "contact": {"foundation", "green", "halfspace"},
     "elastoplastic": {"foundation", "green", "constitutive", "halfspace", "contact"},
     "reference": {"foundation", "green"},
@@ -59,7 +59,7 @@ ROOMS = {
 # Rooms of public headers that have no source.
 ROOM_OF_HEADER = {
     "halfspace": {"surface_load": "transform"},
-    "elastoplastic": {"effects": "interface", "interface": "interface", "settings": "body", "strategy": "increment"},
+    "elastoplastic": {"device": "body", "effects": "interface", "interface": "interface", "settings": "body", "strategy": "increment"},
     "simulation": {"columns": "plan", "forecast": "plan", "scenario": "plan", "surface_fields": "plan", "scenarios": "motion", "run": "motion"},
 }
 

@@ -16,7 +16,7 @@ namespace brinell::device
 /// itself, is tested without one. An executor has
 ///   Memory<Value>             an array where the kernels run, with data() and size();
 ///   allocate<Value>(count)    such an array of zeros;
-///   write(from, to), read(from, to)   copies of whole arrays to and from there;
+///   write(from, to), read(from, to)   copies to and from the beginning of such an array, as many values as there are here;
 ///   run(name, count, kernel)  calls kernel(n) for all n < count, in any order;
 ///   transform(grid, px, py, planes)   Transform of planes of the grid, one after the other in memory and padded with zeros to px times py:
 ///                             forward(fields, spectra), and inverse(spectra, fields), which may destroy the spectra. Neither scales.
@@ -40,7 +40,7 @@ public:
   template <typename Value>
   void read(const Memory<Value>& from, std::span<Value> to) const
   {
-    std::copy(from.begin(), from.end(), to.begin());
+    std::copy_n(from.begin(), to.size(), to.begin());
   }
   template <typename Kernel>
   void run(const char* /*name*/, std::size_t count, const Kernel& kernel) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/constitutive/return_mapping.hpp"
+#include "brinell/foundation/grid.hpp"
 
 #include <algorithm>
 #include <span>
@@ -26,6 +27,11 @@ public:
   /// @param start   plastic strain before the increment
   /// @param copies  number of cells that this cell represents, itself included: on a mirrored grid also its mirror image
   void add(std::size_t cell, const Deviator& q, const Deviator& start, int copies);
+
+  /// Takes over the active cells that were found elsewhere, in their order; what belongs to them is then to be filled in.
+  void assign(std::vector<std::size_t> cells, const SurfaceGrid& grid);
+  /// @param packed  [active][term][component]
+  void assign_backstresses(std::span<const double> packed);
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] bool empty() const { return cells_.empty(); }
@@ -62,8 +68,8 @@ public:
   struct Packed
   {
     double *trials, *mapped, *flow;
-    double *equivalent, *dissipation;
-    const double *start, *copies;
+    double *equivalent, *dissipation, *start;
+    const double* copies;
   };
   [[nodiscard]] Packed packed()
   {

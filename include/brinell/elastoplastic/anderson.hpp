@@ -10,6 +10,52 @@
 namespace brinell::elastoplastic
 {
 
+/// The numbers of an acceleration that do not depend on how many unknowns there are: which differences between evaluations are kept, and
+/// their weights in the next iterate. Who has the unknowns passes the scalar products of their differences.
+class AndersonWeights
+{
+public:
+  explicit AndersonWeights(std::size_t depth) : depth_(depth), products_(depth * depth), right_(depth) {}
+
+  /// Place of an evaluation in the history.
+  struct Entry
+  {
+    bool compares = false; ///< the difference to the previous evaluation is kept
+    std::size_t slot = 0;  ///< of this difference in the ring of all
+    std::size_t known = 0; ///< differences in the history, including a new one
+  };
+  /// Scalar products for each difference d: newest dy with df of d, dy of d with the newest df, dy of d with f. The first two are of an
+  /// entry that compares; of such an entry the last is needed for the newest difference alone.
+  struct Products
+  {
+    double newest_flow = 0.0, newest_residual = 0.0, residual = 0.0;
+  };
+  [[nodiscard]] Entry next();
+  void add(const Entry& entry, std::span<const Products> of_differences);
+  /// Weights of the differences dg in the next x; empty if the system has no finite solution.
+  [[nodiscard]] std::vector<double> weights() const;
+  /// Anderson::change_map
+  void change_map() { changes_map_ = true; }
+  /// Anderson::deepen
+  /// @returns the slot that becomes the first one, and the new depth; the same depth: nothing moves
+  struct Moved
+  {
+    std::size_t first, depth;
+  };
+  Moved deepen(int depth, double damping);
+  void reset() { count_ = 0; }
+  [[nodiscard]] std::size_t depth() const { return depth_; }
+
+private:
+  std::size_t depth_;
+  std::size_t count_ = 0;    ///< evaluations since the last reset, without those after which the map changed
+  bool changes_map_ = false; ///< whether the next evaluation uses a changed map
+  /// Relative to the size of the system. Without it, differences that have become parallel would carry no information.
+  double damping_ = 1e-12;
+  std::vector<double> products_; ///< dy . df, [of dy][of df]
+  std::vector<double> right_;    ///< dy . f
+};
+
 /// Anderson acceleration of a fixed point x <- g(x) (Anderson 1965; Walker, Ni 2011): the next x is that combination of the last
 /// evaluations whose residual f = g(x) - x is orthogonal to the differences of a quantity y(x) between them. With y = f the
 /// residual of the combination is the smallest in the least-squares sense (type II). Where f is minus the gradient of an energy
@@ -30,29 +76,23 @@ public:
   [[nodiscard]] std::vector<double> residual() const;
   /// To be called before an `advance` whose g comes from a map slightly different from the previous one: the history stays
   /// valid, but the difference between these two evaluations is not used.
-  void change_map() { changes_map_ = true; }
+  void change_map() { weights_.change_map(); }
   /// Keeps more differences from now on, and damps their weights: for maps that are far from linear. What is known stays.
   /// @param depth    differences kept; fewer than before change nothing
   /// @param damping  by which the products of a difference with itself are enlarged, relative to them
   void deepen(int depth, double damping);
   /// Forgets the history.
-  void reset() { count_ = 0; }
+  void reset() { weights_.reset(); }
 
 private:
   void grow(std::span<const double> x, std::span<const double> g, std::span<const double> y);
-  void record(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare);
-  [[nodiscard]] std::vector<double> weights(std::size_t used) const;
+  void record(std::span<const double> x, std::span<const double> g, std::span<const double> y,
+              const AndersonWeights::Entry& entry);
 
-  std::size_t depth_;
+  AndersonWeights weights_;
   const Communicator* ranks_;
-  std::size_t count_ = 0;    ///< evaluations since the last reset, without those after which the map changed
-  bool changes_map_ = false; ///< whether the next evaluation uses a changed map
-  /// Relative to the size of the system. Without it, differences that have become parallel would carry no information.
-  double damping_ = 1e-12;
   std::vector<double> previous_g_, previous_f_, previous_y_;
   std::vector<std::vector<double>> dg_, df_, dy_; ///< ring buffers of differences
-  std::vector<double> products_;                  ///< dy . df, [of dy][of df]
-  std::vector<double> right_;                     ///< dy . f
   std::vector<double> weight_;                    ///< weights of the differences in the last combination
 };
 

@@ -3,6 +3,7 @@
 
 #include "brinell/constitutive/material.hpp"
 #include "brinell/elastoplastic/active_cells.hpp"
+#include "brinell/elastoplastic/device.hpp"
 #include "brinell/elastoplastic/plastic_zone.hpp"
 #include "brinell/elastoplastic/settings.hpp"
 #include "brinell/foundation/field_table.hpp"
@@ -88,6 +89,8 @@ struct BodySettings
   bool windows = false;
   /// Cells of other elastic constants. The body is then computed in all columns, must be able to yield, and takes no heat.
   std::vector<Inclusion> inclusions{};
+  /// Where increments are evaluated, if the body can yield; nullptr: on this processor.
+  std::shared_ptr<const Device> device{};
 };
 
 /// Sides of a body's grid.
@@ -170,6 +173,18 @@ struct Trial
   std::size_t count_of_all = 0;
 };
 
+/// A body on a device, and what both sides know of each other.
+struct DevicePart
+{
+  std::unique_ptr<BodyOnDevice> body{}; ///< nullptr: on this processor
+  bool knows_state = false;             ///< otherwise the state is to be written
+  bool must_commit = false;             ///< the state is that of its trial
+  bool is_read = false;                 ///< the processor knows the active cells of the trial
+  bool is_stress_read = false;          ///< the processor knows its stress
+  bool is_softening_known = true, is_thermal_stress_known = true;
+  int deepest = 0; ///< layer of the active cells
+};
+
 /// The parts of a body. Ranks may share it: each then has the fields of its own layers, and all of them the surface.
 struct BodyParts
 {
@@ -183,6 +198,7 @@ struct BodyParts
   BodyState state{};
   PlasticZone zone{}; ///< of the state
   Trial trial{};
+  DevicePart device{};
 
   [[nodiscard]] bool is_plastic() const { return yield.material.is_plastic(); }
   /// Layer of the whole body in which an own cell lies.
@@ -313,13 +329,22 @@ public:
   /// Number of active cells of all ranks, and the place of an own one among them.
   [[nodiscard]] std::size_t active_of_all() const
   {
-    return parts_.share.is_all() ? parts_.trial.active.size() : parts_.trial.count_of_all;
+    return parts_.share.is_all() && !is_on_device() ? parts_.trial.active.size() : parts_.trial.count_of_all;
   }
   [[nodiscard]] std::size_t place_of_active(std::size_t a) const
   {
     return parts_.share.is_all() ? a : parts_.trial.places[a];
   }
   [[nodiscard]] std::vector<double>& trial() { return parts_.trial.active.trials(); }
+  [[nodiscard]] bool is_on_device() const { return parts_.device.body != nullptr; }
+  /// Access to the trials of a body on a device, for their acceleration.
+  [[nodiscard]] BodyOnDevice& on_device() { return *parts_.device.body; }
+  /// Of a body on a device: copies the trial to the processor, if it is not known there. Before this call, the active cells are not known
+  /// but for their number.
+  void fetch();
+  /// Sets the trials of a body on a device to the combination of evaluations with these weights.
+  /// @param goes_further  whether to `go_further` then
+  void combine(std::span<const double> weights, bool goes_further);
   /// Lengthens the step of the trials in cells near the surface that flow along the surface, because the surrounding body hardly
   /// restrains such flow; does nothing without shear on the surface.
   /// @param residual  g - q of the combination of evaluations from which the trials come. Trials with a zero

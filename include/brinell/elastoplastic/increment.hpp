@@ -87,7 +87,8 @@ public:
                  const constitutive::Material& lower_material, const constitutive::Material& upper_material,
                  const Scales& scales, const Settings& settings, Twin twin = Twin::none, Textures textures = {},
                  double reference = 0.0, const Sliding& sliding = {},
-                 const std::shared_ptr<const Communicator>& ranks = nullptr);
+                 const std::shared_ptr<const Communicator>& ranks = nullptr,
+                 const std::shared_ptr<const Device>& device = nullptr);
 
   [[nodiscard]] BodyView lower() const;
   [[nodiscard]] BodyView upper() const;

@@ -2,6 +2,7 @@
 #include "brinell/elastoplastic/active_cells.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace brinell::elastoplastic
 {
@@ -33,6 +34,29 @@ void ActiveCells::add(std::size_t cell, const Deviator& q, const Deviator& start
   dissipation_.push_back(0.0);
   copies_.push_back(copies);
   backstress_.resize(backstress_.size() + terms_);
+}
+
+void ActiveCells::assign(std::vector<std::size_t> cells, const SurfaceGrid& grid)
+{
+  clear();
+  cells_ = std::move(cells);
+  for (std::vector<double>* deviators : {&q_, &g_, &start_, &flow_})
+    deviators->resize(Deviator::size * cells_.size());
+  equivalent_.resize(cells_.size());
+  dissipation_.resize(cells_.size());
+  backstress_.resize(terms_ * cells_.size());
+  copies_.reserve(cells_.size());
+  for (const std::size_t cell : cells_)
+  {
+    is_active_[cell] = 1;
+    copies_.push_back(grid.copies_of_row(static_cast<int>(cell % grid.size()) / grid.nx));
+  }
+}
+
+void ActiveCells::assign_backstresses(std::span<const double> packed)
+{
+  for (std::size_t n = 0; n < packed.size(); ++n)
+    backstress_[n / Deviator::size].v[n % Deviator::size] = packed[n];
 }
 
 std::size_t ActiveCells::deepest() const

@@ -22,14 +22,10 @@ double product(const std::vector<double>& a, const std::vector<double>& b, std::
   return scalar_product({a.data() + first, last - first}, {b.data() + first, last - first});
 }
 
-/// Scalar products for each difference d: newest dy with df of d, dy of d with the newest df, dy of d with f.
+/// Products of a piece, or of all pieces.
 struct Products
 {
-  struct OfDifference
-  {
-    double newest_flow, newest_residual, residual;
-  };
-  std::vector<OfDifference> of;
+  std::vector<AndersonWeights::Products> of;
 
   Products& operator+=(const Products& other)
   {
@@ -59,7 +55,7 @@ Products sum_of_all_pieces(const Communicator& ranks, std::size_t size, std::siz
              {
                const Products own = part(first, last);
                double* to = sums.data() + first / piece_size * known * numbers;
-               for (const Products::OfDifference& d : own.of)
+               for (const AndersonWeights::Products& d : own.of)
                  for (const double number : {d.newest_flow, d.newest_residual, d.residual})
                    *to++ = number;
              });
@@ -73,7 +69,7 @@ Products sum_of_all_pieces(const Communicator& ranks, std::size_t size, std::siz
        ++piece, rank = (rank + 1) % counts.size())
   {
     const double* from = all.data() + next[rank]++ * known * numbers;
-    Products of_piece{std::vector<Products::OfDifference>(known)};
+    Products of_piece{std::vector<AndersonWeights::Products>(known)};
     for (std::size_t d = 0; d < known; ++d, from += numbers)
       of_piece.of[d] = {from[0], from[1], from[2]};
     total += of_piece;
@@ -83,20 +79,86 @@ Products sum_of_all_pieces(const Communicator& ranks, std::size_t size, std::siz
 
 } // namespace
 
+AndersonWeights::Entry AndersonWeights::next()
+{
+  Entry entry{.compares = !std::exchange(changes_map_, false) && count_ > 0};
+  if (depth_ == 0)
+    return entry;
+  entry.slot = count_ > 0 ? (count_ - 1) % depth_ : 0;
+  entry.known = std::min(count_, depth_);
+  if (entry.compares || count_ == 0)
+    ++count_;
+  return entry;
+}
+
+void AndersonWeights::add(const Entry& entry, std::span<const Products> of_differences)
+{
+  for (std::size_t d = 0; d < entry.known; ++d)
+  {
+    if (entry.compares)
+    {
+      products_[entry.slot * depth_ + d] = of_differences[d].newest_flow;
+      products_[d * depth_ + entry.slot] = of_differences[d].newest_residual;
+    }
+    if (entry.compares && d != entry.slot) // f has changed by the newest df
+      right_[d] += products_[d * depth_ + entry.slot];
+    else
+      right_[d] = of_differences[d].residual;
+  }
+}
+
+std::vector<double> AndersonWeights::weights() const
+{
+  const std::size_t used = count_ > 0 ? std::min(count_ - 1, depth_) : 0;
+  if (used == 0)
+    return {};
+  const int m = static_cast<int>(used);
+  Matrix products(m, m);
+  for (int a = 0; a < m; ++a)
+    for (int b = 0; b < m; ++b)
+      products(a, b) = products_[static_cast<std::size_t>(a) * depth_ + static_cast<std::size_t>(b)];
+  for (int a = 0; a < m; ++a)
+    products(a, a) *= 1.0 + damping_;
+  std::vector<double> weight = solve(products, {right_.data(), used});
+  const bool is_finite = std::all_of(weight.begin(), weight.end(), [](double w) { return std::isfinite(w); });
+  return is_finite ? weight : std::vector<double>();
+}
+
+AndersonWeights::Moved AndersonWeights::deepen(int depth, double damping)
+{
+  damping_ = damping;
+  const auto deeper = static_cast<std::size_t>(std::max(depth, 0));
+  if (depth_ == 0 || deeper <= depth_)
+    return {0, depth_};
+  const std::size_t known = count_ > 0 ? std::min(count_ - 1, depth_) : 0;
+  const std::size_t oldest = known == depth_ ? (count_ - 1) % depth_ : 0;
+  const auto slot = [&](std::size_t age) { return (oldest + age) % depth_; };
+  std::vector<double> products(deeper * deeper), right(deeper);
+  for (std::size_t a = 0; a < known; ++a)
+  {
+    right[a] = right_[slot(a)];
+    for (std::size_t b = 0; b < known; ++b)
+      products[a * deeper + b] = products_[slot(a) * depth_ + slot(b)];
+  }
+  products_.swap(products);
+  right_.swap(right);
+  count_ = count_ > 0 ? known + 1 : 0;
+  depth_ = deeper;
+  return {oldest, depth_};
+}
+
 Anderson::Anderson(int depth, const Communicator* ranks)
-    : depth_(static_cast<std::size_t>(std::max(depth, 0))), ranks_(ranks), dg_(depth_), df_(depth_), dy_(depth_),
-      products_(depth_ * depth_), right_(depth_)
+    : weights_(static_cast<std::size_t>(std::max(depth, 0))), ranks_(ranks), dg_(weights_.depth()),
+      df_(weights_.depth()), dy_(weights_.depth())
 {
 }
 
 void Anderson::advance(std::span<double> x, std::span<const double> g, std::span<const double> y)
 {
-  const bool compares = !std::exchange(changes_map_, false) && count_ > 0;
-  if (depth_ > 0)
-    record(x, g, y, compares);
-  if (depth_ > 0 && (compares || count_ == 0))
-    ++count_;
-  weight_ = weights(count_ > 0 ? std::min(count_ - 1, depth_) : 0);
+  const AndersonWeights::Entry entry = weights_.next();
+  if (weights_.depth() > 0)
+    record(x, g, y, entry);
+  weight_ = weights_.weights();
   for_pieces(x.size(),
              [&](std::size_t first, std::size_t last)
              {
@@ -122,46 +184,15 @@ std::vector<double> Anderson::residual() const
 
 void Anderson::deepen(int depth, double damping)
 {
-  damping_ = damping;
-  const auto deeper = static_cast<std::size_t>(std::max(depth, 0));
-  if (depth_ == 0 || deeper <= depth_)
+  const AndersonWeights::Moved moved = weights_.deepen(depth, damping);
+  if (moved.depth == dg_.size())
     return;
-  const std::size_t known = count_ > 0 ? std::min(count_ - 1, depth_) : 0;
-  const std::size_t oldest = known == depth_ ? (count_ - 1) % depth_ : 0;
-  const auto slot = [&](std::size_t age) { return (oldest + age) % depth_; };
-  std::vector<double> products(deeper * deeper), right(deeper);
-  for (std::size_t a = 0; a < known; ++a)
-  {
-    right[a] = right_[slot(a)];
-    for (std::size_t b = 0; b < known; ++b)
-      products[a * deeper + b] = products_[slot(a) * depth_ + slot(b)];
-  }
   for (std::vector<std::vector<double>>* differences : {&dg_, &df_, &dy_})
   {
-    std::rotate(differences->begin(), differences->begin() + static_cast<std::ptrdiff_t>(oldest), differences->end());
-    differences->resize(deeper, std::vector<double>(previous_g_.size()));
+    std::rotate(differences->begin(), differences->begin() + static_cast<std::ptrdiff_t>(moved.first),
+                differences->end());
+    differences->resize(moved.depth, std::vector<double>(previous_g_.size()));
   }
-  products_.swap(products);
-  right_.swap(right);
-  count_ = count_ > 0 ? known + 1 : 0;
-  depth_ = deeper;
-}
-
-/// Weights of the differences dg in the next x; empty if the system has no finite solution.
-std::vector<double> Anderson::weights(std::size_t used) const
-{
-  if (used == 0)
-    return {};
-  const int m = static_cast<int>(used);
-  Matrix products(m, m);
-  for (int a = 0; a < m; ++a)
-    for (int b = 0; b < m; ++b)
-      products(a, b) = products_[static_cast<std::size_t>(a) * depth_ + static_cast<std::size_t>(b)];
-  for (int a = 0; a < m; ++a)
-    products(a, a) *= 1.0 + damping_;
-  std::vector<double> weight = solve(products, {right_.data(), used});
-  const bool is_finite = std::all_of(weight.begin(), weight.end(), [](double w) { return std::isfinite(w); });
-  return is_finite ? weight : std::vector<double>();
 }
 
 /// Makes room for new unknowns; their differences to the previous evaluation are zero.
@@ -179,18 +210,17 @@ void Anderson::grow(std::span<const double> x, std::span<const double> g, std::s
 }
 
 /// Adds the differences from the previous evaluation to the history, and stores this evaluation as the previous one.
-/// @param compare  false: no differences are added
-void Anderson::record(std::span<const double> x, std::span<const double> g, std::span<const double> y, bool compare)
+void Anderson::record(std::span<const double> x, std::span<const double> g, std::span<const double> y,
+                      const AndersonWeights::Entry& entry)
 {
   grow(x, g, y);
-  const std::size_t slot = count_ > 0 ? (count_ - 1) % depth_ : 0;
-  const std::size_t known = std::min(count_, depth_); // differences in the history, including a new one
-  const auto update_piece = [&](std::size_t first, std::size_t last)
+  const auto [compares, slot, known] = entry;
+  const auto update_piece = [&, compares = compares, slot = slot, known = known](std::size_t first, std::size_t last)
   {
     for (std::size_t i = first; i < last; ++i)
     {
       const double f = g[i] - x[i];
-      if (compare)
+      if (compares)
       {
         dg_[slot][i] = g[i] - previous_g_[i];
         df_[slot][i] = f - previous_f_[i];
@@ -200,15 +230,15 @@ void Anderson::record(std::span<const double> x, std::span<const double> g, std:
       previous_f_[i] = f;
       previous_y_[i] = y[i];
     }
-    Products sums{std::vector<Products::OfDifference>(known)};
+    Products sums{std::vector<AndersonWeights::Products>(known)};
     for (std::size_t d = 0; d < known; ++d)
     {
-      if (compare)
+      if (compares)
       {
         sums.of[d].newest_flow = product(dy_[slot], df_[d], first, last);
         sums.of[d].newest_residual = product(dy_[d], df_[slot], first, last);
       }
-      if (!compare || d == slot)
+      if (!compares || d == slot)
         sums.of[d].residual = product(dy_[d], previous_f_, first, last);
     }
     return sums;
@@ -217,18 +247,7 @@ void Anderson::record(std::span<const double> x, std::span<const double> g, std:
                                     : sum_of_all_pieces(*ranks_, x.size(), known, update_piece);
   if (sums.of.empty())
     sums.of.resize(known);
-  for (std::size_t d = 0; d < known; ++d)
-  {
-    if (compare)
-    {
-      products_[slot * depth_ + d] = sums.of[d].newest_flow;
-      products_[d * depth_ + slot] = sums.of[d].newest_residual;
-    }
-    if (compare && d != slot) // f has changed by the newest df
-      right_[d] += products_[d * depth_ + slot];
-    else
-      right_[d] = sums.of[d].residual;
-  }
+  weights_.add(entry, sums.of);
 }
 
 } // namespace brinell::elastoplastic

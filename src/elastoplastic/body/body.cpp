@@ -163,6 +163,7 @@ void return_to_state(BodyParts& b)
   b.evaluation->restore(b.state);
   b.trial.has_thermal_stress = false;
   b.yield.softening = b.state.softening;
+  b.device.is_softening_known = b.device.is_thermal_stress_known = false;
 }
 
 } // namespace
@@ -197,6 +198,8 @@ Body::Body(const VolumeGrid& grid, std::shared_ptr<const halfspace::HalfSpace> h
   b.state.stress.assign(Deviator::size * n, 0.0);
   std::ranges::copy(b.evaluation->own_stress(), b.state.stress.begin());
   b.evaluation->initial_stress().add_to(b.state.stress, b.grid.nz, grid.surface.ny);
+  if (settings.device)
+    put_on_device(b);
 }
 
 void Body::exchange(Archive& archive)
@@ -216,6 +219,7 @@ void Body::exchange(Archive& archive)
   if (!archive.gives())
     return;
   return_to_state(b);
+  b.device.knows_state = b.device.must_commit = false;
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   recover_guess(b);
 }
@@ -232,6 +236,7 @@ void Body::continue_from(const BodyState& history, const VolumeGrid& from, const
     b.state.softening = std::move(of_inclusions);
   b.zone = PlasticZone(b.grid, b.state.equivalent);
   b.yield.softening = b.state.softening;
+  b.device.knows_state = b.device.must_commit = b.device.is_softening_known = b.device.is_thermal_stress_known = false;
   prepare_trial(b);
   b.evaluation->compute_anew(b.state, load, b.trial.stress);
   complete_stress(b);
@@ -266,6 +271,7 @@ void Body::set_softening(std::span<const double> factor)
     if (!(value > 0.0 && std::isfinite(value)))
       throw InputError(fmt::format("the factor on the yield stress of a cell is {:g}; allowed: above 0", value));
   b.yield.softening = own_layers(factor);
+  b.device.is_softening_known = false;
   if (!b.trial.is_open)
     b.state.softening = b.yield.softening;
 }
@@ -279,17 +285,21 @@ void Body::begin(int shift, double stiffness_share, Guess guess)
   if (!b.is_plastic())
     return;
   prepare_trial(b);
+  b.device.is_thermal_stress_known = b.device.is_thermal_stress_known && !b.trial.has_thermal_stress;
   b.trial.has_thermal_stress = false;
   b.trial.is_open = true;
   b.trial.active.clear();
   b.trial.places.clear();
   b.trial.count_of_all = 0;
   b.evaluation->begin(shift);
+  const double fraction = b.settings.shortcuts ? active_share : -1.0;
+  if (is_on_device())
+    return begin_on_device(b, shift, fraction, guess == Guess::stress);
   if (guess == Guess::stress)
     for (const std::size_t cell : b.trial.guessed_cells)
       store(deviator_at(b.state.stress, b.grid.size(), cell), b.trial.stress, b.grid.size(), cell);
   // In the frame of the contact q changes little from step to step: the guess moves along with the contact.
-  collect_active(b, b.trial.stress, shift, b.settings.shortcuts ? active_share : -1.0);
+  collect_active(b, b.trial.stress, shift, fraction);
   b.evaluation->follow(b.trial.active, 0);
 }
 
@@ -302,6 +312,7 @@ void Body::set_thermal_stress(std::span<const double> deviator)
     throw InputError("a body with inclusions is heated; allowed: inclusions without heat");
   b.trial.thermal_stress = own_layers(deviator);
   b.trial.has_thermal_stress = true;
+  b.device.is_thermal_stress_known = false;
 }
 
 double Body::integrate(Integration integration)
@@ -309,6 +320,8 @@ double Body::integrate(Integration integration)
   BodyParts& b = parts_;
   if (!b.is_plastic())
     return 0.0;
+  if (is_on_device())
+    return integrate_on_device(b, integration);
   flow(b, integration);
   return b.evaluation->load(b.state, b.trial.active);
 }
@@ -318,10 +331,12 @@ bool Body::update(const halfspace::SurfaceLoad& load)
   BodyParts& b = parts_;
   if (!b.is_plastic())
     return false;
-  b.evaluation->stress(load, b.thermal_stress(), b.trial.stress);
   const auto acts = [](double shear) { return shear != 0.0; };
   b.trial.bears_shear = std::any_of(load.shear_x.begin(), load.shear_x.end(), acts) ||
                         std::any_of(load.shear_y.begin(), load.shear_y.end(), acts);
+  if (is_on_device())
+    return update_on_device(b, load);
+  b.evaluation->stress(load, b.thermal_stress(), b.trial.stress);
   b.trial.yield_error = b.ranks->largest(map_trials(b));
   const std::size_t before = b.trial.active.size();
   collect_active(b, b.trial.stress, 0, 1.0);
@@ -339,6 +354,7 @@ void Body::restore()
   if (!b.trial.is_open)
     return;
   b.trial.is_open = false;
+  b.device.knows_state = b.device.must_commit = false;
   const std::size_t n = b.grid.size();
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
     b.with_copies(a, [&](std::size_t cell, const auto& seen)
@@ -364,7 +380,8 @@ void complete_stress(BodyParts& b)
 void Body::complete_trial()
 {
   BodyParts& b = parts_;
-  b.evaluation->find_displacement_x(b.state.plastic_strain);
+  fetch();
+  b.evaluation->find_displacement_x(b.state.plastic_strain, b.device.body.get());
   if (!b.is_plastic() || !b.grid.surface.is_mirrored_y)
     return;
   for (std::size_t a = 0; a < b.trial.active.size(); ++a)
@@ -415,6 +432,7 @@ void Body::commit(const halfspace::SurfaceLoad& load)
   b.evaluation->commit(load);
   store_guess(b);
   b.trial.is_open = false;
+  b.device.must_commit = true; // where nothing may fail any more, the device is not called
 }
 
 Deviator BodyParts::backstress(std::size_t cell, std::size_t term) const
@@ -446,7 +464,7 @@ Scope Body::scope() const
 
 double Body::cost() const
 {
-  return parts_.is_plastic() ? parts_.evaluation->cost() : 0.0;
+  return parts_.is_plastic() && !is_on_device() ? parts_.evaluation->cost() : 0.0;
 }
 
 std::span<const double> Body::residual_displacement(std::size_t axis) const

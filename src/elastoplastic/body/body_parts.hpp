@@ -47,6 +47,15 @@ void number_active_cells(BodyParts& body, const std::vector<double>& added);
 /// The layers of all ranks of a field, for the first rank; empty for the others.
 [[nodiscard]] std::vector<double> gathered(const BodyParts& body, std::span<const double> own_field);
 
+/// Of a body on a device: counterparts of Body::begin, integrate and update, from the flow on.
+void begin_on_device(BodyParts& body, int shift, double fraction, bool from_stress);
+[[nodiscard]] double integrate_on_device(BodyParts& body, Integration integration);
+[[nodiscard]] bool update_on_device(BodyParts& body, const halfspace::SurfaceLoad& load);
+/// Puts the body on the device of its settings.
+void put_on_device(BodyParts& body);
+/// Copies the active cells of a trial, and their strain, from the device.
+void read_active(BodyParts& body);
+
 /// Work of the thermal stress on the plastic strain of the present increment, by the trapezoidal rule [J].
 [[nodiscard]] double thermal_work_of_trial(const BodyParts& body);
 

@@ -82,7 +82,8 @@ Evaluation::Evaluation(const VolumeGrid& grid, std::shared_ptr<const halfspace::
                        const constitutive::Material& material, const BodySettings& settings)
     : grid_(grid), half_space_(std::move(half_space)), share_(half_space_ ? half_space_->share() : Share()),
       own_(half_space_ ? half_space_->own_grid() : grid), is_plastic_(material.is_plastic()),
-      shortcuts_(settings.shortcuts), initial_stress_(own_, material, share_), layers_(grid.nz), watched_(grid)
+      shortcuts_(settings.shortcuts), is_on_device_(settings.device != nullptr),
+      initial_stress_(own_, material, share_), layers_(grid.nz), watched_(grid)
 {
   displacement_[0].assign(grid_.surface.size(), 0.0);
   if (is_plastic_ && settings.displacements != Displacements::normal)
@@ -128,10 +129,7 @@ void Evaluation::follow(const ActiveCells& active, std::size_t first)
 {
   const auto nx = static_cast<std::size_t>(grid_.surface.nx);
   const int own_deepest = active.empty() ? 0 : share_.layer(static_cast<int>(layer_of(active.deepest())));
-  const int deepest = is_plastic_ ? static_cast<int>(ranks().largest(own_deepest)) : 0;
-  layers_ = shortcuts_ ? std::min(grid_.nz, deepest + 1 + spare_layers) : grid_.nz;
-  if (embedded_)
-    layers_ = std::max(layers_, embedded_->layers());
+  follow(is_plastic_ ? static_cast<int>(ranks().largest(own_deepest)) : 0);
   if (!windowed_)
     return;
   bool is_at_end = false;
@@ -139,6 +137,13 @@ void Evaluation::follow(const ActiveCells& active, std::size_t first)
     is_at_end = is_at_end || window_->is_at_end(static_cast<int>(active.cell(a) % nx));
   if (ranks().any(is_at_end))
     require(Scope::all);
+}
+
+void Evaluation::follow(int deepest)
+{
+  layers_ = shortcuts_ ? std::min(grid_.nz, deepest + 1 + spare_layers) : grid_.nz;
+  if (embedded_)
+    layers_ = std::max(layers_, embedded_->layers());
 }
 
 double Evaluation::load(const BodyState& state, const ActiveCells& active)
@@ -160,6 +165,17 @@ double Evaluation::load(const BodyState& state, const ActiveCells& active)
   const double change = larger(change_since(before), embedded_ ? embedded_->error() : 0.0);
   was_windowed_ = windowed_;
   return change;
+}
+
+double Evaluation::load_on(BodyOnDevice& device, Integration integration)
+{
+  const std::vector<double> before = displacement_[0];
+  const Displacements components = wanted();
+  knows_displacement_x_ = components != Displacements::normal;
+  device.integrate(integration,
+                   {displacement_[0], knows_displacement_x_ ? std::span<double>(displacement_[1]) : std::span<double>(),
+                    components == Displacements::all ? std::span<double>(displacement_[2]) : std::span<double>()});
+  return change_since(before);
 }
 
 /// Places the window of the next evaluation, around what changes since the state before the increment. An increment has
@@ -213,10 +229,16 @@ void Evaluation::find_displacements(Displacements wanted)
 }
 
 /// Stress and normal displacement of the strain are known already, so that no layer (0) is requested.
-void Evaluation::find_displacement_x(std::span<const double> strain)
+void Evaluation::find_displacement_x(std::span<const double> strain, BodyOnDevice* device)
 {
   if (displacement_[1].empty() || knows_displacement_x_)
     return;
+  if (device != nullptr)
+  {
+    device->find_displacement_x(displacement_[1]);
+    knows_displacement_x_ = true;
+    return;
+  }
   prepare_work();
   loaded_.reset();
   half_space_->load(strain, 0, work_, Displacements::along_x).displacement({.x = displacement_[1]});

@@ -39,12 +39,16 @@ public:
   [[nodiscard]] Columns columns() const { return windowed_ ? window_->columns() : Columns{0, grid_.surface.nx}; }
   /// Extends what is computed to the active cells, of which those from `first` on are new.
   void follow(const ActiveCells& active, std::size_t first);
+  /// @param deepest  layer of the active cells of a body on a device
+  void follow(int deepest);
 
   /// Transforms the plastic strain of a trial, which must stay where it is, and computes the displacement.
   /// @param state   before the increment, with the strain of the trial
   /// @param active  all cells whose strain may have changed
   /// @returns the largest change of the normal displacement since the previous evaluation [m], over the cells that both computed
   double load(const BodyState& state, const ActiveCells& active);
+  /// Has a device integrate the plastic strain and compute the displacement.
+  double load_on(BodyOnDevice& device, Integration integration);
   /// Computes the deviator of the stress of the transformed strain under a load, in the layers and columns above and their
   /// independent rows.
   /// @param thermal  deviator of the thermal stress; empty: none
@@ -52,7 +56,8 @@ public:
   /// Computes displacement and stress of the strain of a state in all cells, whatever was known.
   void compute_anew(const BodyState& state, const halfspace::SurfaceLoad& load, std::span<double> stress);
   /// Computes the displacement along x of a trial if it is needed and not known.
-  void find_displacement_x(std::span<const double> strain);
+  /// @param device  that has the trial; nullptr: none
+  void find_displacement_x(std::span<const double> strain, BodyOnDevice* device);
 
   /// Residual displacement along z, x, y; empty if it is not needed.
   [[nodiscard]] const std::vector<double>& displacement(std::size_t axis) const { return displacement_[axis]; }
@@ -107,7 +112,7 @@ private:
   std::shared_ptr<const halfspace::HalfSpace> half_space_;
   Share share_;
   VolumeGrid own_; ///< own layers
-  bool is_plastic_, shortcuts_;
+  bool is_plastic_, shortcuts_, is_on_device_;
   InitialStress initial_stress_;
   halfspace::HalfSpace::Work work_;
   std::span<const double> strain_;                     ///< of the present trial

@@ -14,7 +14,7 @@ std::vector<Body::CellStress> Evaluation::stress_at(std::span<const std::size_t>
     return elastic_stress_at(cells, load);
   const std::size_t n = grid_.size();
   std::vector<Body::CellStress> result;
-  if (embedded_ || !watched_.watch(cells))
+  if (embedded_ || is_on_device_ || !watched_.watch(cells))
   {
     std::vector<double> deviator(Deviator::size * n), trace(n);
     full_stress(load, state.plastic_strain, deviator, trace,

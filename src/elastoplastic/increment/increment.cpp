@@ -149,6 +149,8 @@ IncrementReport CoupledContact::advance(std::span<const double> distance, const 
   IncrementReport report = solve(c, task, rollback);
   if (!report.converged)
     return report;
+  for (Side& side : c.sides)
+    side.body.fetch();
   report.outgrown = outgrown(c);
   if (strategy.stay_within_grids && report.outgrown.any())
   {

@@ -61,7 +61,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
                                const constitutive::Material& lower_material,
                                const constitutive::Material& upper_material, const Scales& scales,
                                const Settings& settings, Twin twin, Textures textures, double reference,
-                               const Sliding& sliding, const std::shared_ptr<const Communicator>& ranks)
+                               const Sliding& sliding, const std::shared_ptr<const Communicator>& ranks,
+                               const std::shared_ptr<const Device>& device)
     : parts_(make_hidden<ContactParts>(Between{}, normal_compliance(contact, lower_material, upper_material, reference),
                                        std::move(textures), scales, settings, twin)),
       between_(&*parts_)
@@ -100,7 +101,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   const auto half_space = operators(lower, lower_material, ranks);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),
-                             .windows = settings.windows};
+                             .windows = settings.windows,
+                             .device = device};
   if (twin != Twin::none && !(c.textures.lower_inclusions.empty() && c.textures.upper_inclusions.empty()))
     throw InternalError("CoupledContact: bodies with inclusions are not twins");
   if (ranks && !ranks->is_alone() && !(c.textures.lower_inclusions.empty() && c.textures.upper_inclusions.empty()))

@@ -219,6 +219,8 @@ bool Iteration::leaves_grids()
   if (!strategy_.stay_within_grids || has_checked_edges_ || !is_within(edge_check_factor))
     return false;
   has_checked_edges_ = true;
+  for (Side& side : c_.sides)
+    side.body.fetch();
   report_.outgrown = lateral_edges(outgrown(c_));
   return report_.outgrown.any();
 }

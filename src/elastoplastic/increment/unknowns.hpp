@@ -3,6 +3,7 @@
 
 #include "brinell/elastoplastic/anderson.hpp"
 #include "contact_parts.hpp"
+#include "device_unknowns.hpp"
 #include "foundation/sharing.hpp"
 #include "shared_unknowns.hpp"
 
@@ -20,16 +21,22 @@ class Acceleration
 public:
   /// @param depth  0: plain fixed point, q <- g(q)
   Acceleration(int depth, const Communicator& ranks)
-      : depth_(depth), shared_(ranks), anderson_(depth, ranks.is_alone() ? nullptr : &ranks)
+      : depth_(depth), shared_(ranks), anderson_(depth, ranks.is_alone() ? nullptr : &ranks), on_devices_(depth)
   {
   }
 
   /// Keeps `factor` times as many evaluations from now on, see Anderson::deepen.
-  void deepen(int factor, double damping) { anderson_.deepen(factor * depth_, damping); }
+  void deepen(int factor, double damping)
+  {
+    anderson_.deepen(factor * depth_, damping);
+    on_devices_.deepen(factor * depth_, damping);
+  }
   /// @param changes_map  whether the map differs from that of the previous evaluation, see Anderson::change_map
   /// @param is_near      whether trials may go further than their residual, see Body::go_further
   void advance(std::vector<Side>& sides, bool changes_map, bool is_near)
   {
+    if (std::any_of(sides.begin(), sides.end(), [](const Side& side) { return side.body.is_on_device(); }))
+      return on_devices_.advance(sides, changes_map, is_near);
     if (changes_map)
       anderson_.change_map();
     grow(sides);
@@ -168,6 +175,7 @@ private:
   int depth_; ///< at first
   SharedUnknowns shared_;
   Anderson anderson_;
+  AccelerationOnDevices on_devices_;
   std::vector<std::vector<std::size_t>> places_; ///< index in the common vectors: [body][its unknown]
   std::vector<std::size_t> cells_;               ///< active cells of each body, of all ranks
   std::size_t size_ = 0;                         ///< of these vectors

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host_device.hpp"
+
+#include "body_on_executor.hpp"
+#include "host_executor.hpp"
+
+namespace brinell::device
+{
+
+namespace
+{
+
+class HostDevice : public elastoplastic::Device
+{
+public:
+  [[nodiscard]] std::string name() const override { return "host"; }
+  [[nodiscard]] std::unique_ptr<elastoplastic::BodyOnDevice>
+  make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const override
+  {
+    return std::make_unique<BodyOnExecutor<HostExecutor>>(grid, material, with_shears, executor_);
+  }
+
+private:
+  HostExecutor executor_;
+};
+
+} // namespace
+
+std::shared_ptr<const elastoplastic::Device> host_device()
+{
+  return std::make_shared<const HostDevice>();
+}
+
+} // namespace brinell::device
