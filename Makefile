@@ -73,7 +73,7 @@ test-mpi: .venv/.setup-done .venv/.extras-done build/release/build.ninja
 test-cuda: build/.setup-packages
 	@tools/setup.sh cuda
 	cmake --preset release -B build/cuda-release -D BRINELL_CUDA=ON -D BRINELL_BENCHMARKS=OFF -D BRINELL_WERROR=ON >/dev/null
-	flock build/cuda-release cmake --build build/cuda-release --parallel $(JOBS) --target brinell_cuda_tests brinell_cuda_bench
+	flock build/cuda-release cmake --build build/cuda-release --parallel $(JOBS) --target brinell_cuda_tests brinell_cuda_bench brinell_program
 	ctest --test-dir build/cuda-release --label-regex '^cuda$$' --no-tests=error --output-on-failure
 
 # Whole what .ci/run does in parts: all cases of random sweeps, the sanitizers on all tests, clang-tidy on all sources.

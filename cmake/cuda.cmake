@@ -1,4 +1,4 @@
-# The library for GPUs, in a folder of its own. Nothing else links the CUDA runtime. The compiler is that of CMAKE_CUDA_COMPILER or CUDACXX, that which
+# The library for GPUs, in a folder of its own, which the program links. The library of the engine has nothing of CUDA. The compiler is that of CMAKE_CUDA_COMPILER or CUDACXX, that which
 # `tools/setup.sh cuda` has fetched, or an installed one. No GPU is needed to compile.
 set(fetched_nvcc ${PROJECT_SOURCE_DIR}/build/cuda/nvidia/cu13/bin/nvcc)
 if(NOT CMAKE_CUDA_COMPILER AND NOT DEFINED ENV{CUDACXX} AND EXISTS ${fetched_nvcc})
@@ -31,7 +31,10 @@ target_include_directories(brinell_cuda PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_S
 # The mathematics of the engine is compiled for devices, too: kernels may call what is constexpr in the standard library.
 target_compile_options(brinell_cuda PRIVATE --expt-relaxed-constexpr -Xcompiler=-Wall,-Wextra,-Wno-unknown-pragmas
   $<$<BOOL:${BRINELL_WERROR}>:-Werror=all-warnings>)
-target_link_libraries(brinell_cuda PRIVATE CUDA::cudart_static CUDA::cufft)
+target_link_libraries(brinell_cuda PRIVATE brinell CUDA::cudart_static CUDA::cufft)
+# The program and the Python package offer the GPU to cases.
+target_link_libraries(brinell_app PRIVATE brinell_cuda)
+target_compile_definitions(brinell_app PRIVATE BRINELL_HAS_CUDA)
 
 # For a machine with a GPU: make bench-cuda.
 add_executable(brinell_cuda_bench EXCLUDE_FROM_ALL bench/cuda/evaluations.cu)

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "brinell/foundation/error.hpp"
+
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 /// Access to a GPU. The header needs no CUDA.
 namespace brinell::cuda
 {
-
-/// A device is missing, does not suit or has failed. The text names the cause and what to do about it.
-class DeviceError : public std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
 
 struct Device
 {

@@ -20,7 +20,7 @@ FLOORS = {
     "contact": {"foundation", "green", "halfspace"},
     "elastoplastic": {"foundation", "green", "constitutive", "halfspace", "contact"},
     "reference": {"foundation", "green"},
-    "simulation": {"foundation", "green", "constitutive", "halfspace", "contact", "elastoplastic", "reference"},
+    "simulation": {"foundation", "green", "constitutive", "halfspace", "contact", "elastoplastic", "device", "reference"},
     "quality": {"foundation", "green", "constitutive", "halfspace", "contact", "elastoplastic", "reference", "simulation"},
     "io": {
         "foundation",
@@ -29,6 +29,7 @@ FLOORS = {
         "halfspace",
         "contact",
         "elastoplastic",
+        "device",
         "reference",
         "simulation",
         "quality",

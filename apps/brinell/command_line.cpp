@@ -7,6 +7,7 @@
 #include "brinell/io/printable.hpp"
 #include "brinell/io/versions.hpp"
 #include "commands.hpp"
+#include "devices.hpp"
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
@@ -88,6 +89,10 @@ int guarded(const std::function<int()>& command)
   {
     return report(error.what(), exit_failure);
   }
+  catch (const DeviceError& error)
+  {
+    return report(fmt::format("the GPU: {}; --device cpu computes the case without one", error.what()), exit_failure);
+  }
   catch (const std::bad_alloc&)
   {
     return report("out of memory; `brinell check` shows how much a case needs", exit_failure);
@@ -144,6 +149,7 @@ int run_chosen(const CLI::App& app, const Arguments& arguments, const std::share
 
 int command_line(std::vector<std::string> words, const std::shared_ptr<const Communicator>& ranks)
 {
+  offer_devices();
   const auto require_processor = []
   {
     require_processor_choice();

@@ -44,10 +44,12 @@ std::vector<std::string> overrides_of(const RunArguments& arguments)
   std::vector<std::string> overrides = arguments.input.overrides;
   if (!arguments.accuracy.empty())
     overrides.push_back("solver.accuracy=" + arguments.accuracy);
+  if (!arguments.device.empty())
+    overrides.push_back("solver.device=" + arguments.device);
   return overrides;
 }
 
-/// Reads the case. Messages about solver.accuracy are changed to name the option --accuracy if this was given.
+/// Reads the case. Messages about keys that were given as options, like solver.accuracy, are changed to name the option, --accuracy.
 io::Case case_of(const RunArguments& arguments)
 try
 {
@@ -56,10 +58,13 @@ try
 catch (const InputError& error)
 {
   std::string text = error.what();
-  const std::string as_key = "--set solver.accuracy=" + arguments.accuracy,
-                    as_option = "--accuracy " + arguments.accuracy;
-  for (auto at = text.find(as_key); !arguments.accuracy.empty() && at != text.npos; at = text.find(as_key, at + 1))
-    text.replace(at, as_key.size(), as_option);
+  for (const auto& [name, value] : {std::pair{"accuracy", &arguments.accuracy}, {"device", &arguments.device}})
+  {
+    const std::string as_key = fmt::format("--set solver.{}={}", name, *value),
+                      as_option = fmt::format("--{} {}", name, *value);
+    for (auto at = text.find(as_key); !value->empty() && at != text.npos; at = text.find(as_key, at + 1))
+      text.replace(at, as_key.size(), as_option);
+  }
   throw InputError(text);
 }
 

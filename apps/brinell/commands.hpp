@@ -33,6 +33,7 @@ struct RunArguments
   CaseArguments input;
   std::string directory; ///< empty: from the case, or results/<name>
   std::string accuracy;  ///< "1%"; empty: as the case says
+  std::string device;    ///< "cuda"; empty: as the case says
   int threads = 0;       ///< 0: as OpenMP decides
   bool quiet = false;
   bool resume = false; ///< continue from the last checkpoint

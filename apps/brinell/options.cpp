@@ -51,6 +51,10 @@ void declare_run(CLI::App& app, RunArguments& arguments)
                   "Run a series from coarser to finer cells until the estimated error of the key numbers is below this "
                   "share, and report the interval of each: --accuracy 1%")
       ->type_name("SHARE");
+  run->add_option(
+         "--device", arguments.device,
+         "Where the bodies are computed: cpu, cuda (a GPU), auto, host; default: as the case says (solver.device)")
+      ->type_name("DEVICE");
   run->add_option("--threads", arguments.threads, "Number of threads; default: all cores, or OMP_NUM_THREADS")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));

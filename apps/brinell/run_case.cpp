@@ -262,6 +262,15 @@ void require_shareable(const io::Case& c, int ranks)
             key = fmt::format("{}.inclusion", name);
       },
       c.scenario);
+  std::visit(
+      [&](const auto& scenario)
+      {
+        using elastoplastic::DeviceChoice;
+        if (const DeviceChoice device = scenario.solver.device;
+            device == DeviceChoice::cuda || device == DeviceChoice::host)
+          key = "solver.device";
+      },
+      c.scenario);
   if (!key.empty())
     throw InputError(
         fmt::format("{}: {} is not available where {} processes compute a case together; allowed: one process",
@@ -336,6 +345,16 @@ RunReport run_shared(const io::Case& c, const io::ScenarioPlan& plan, const RunO
 
 } // namespace
 
+namespace
+{
+
+void require_device(const io::Case& c, bool is_shared)
+{
+  std::visit([&](const auto& scenario) { simulation::require_device(scenario, is_shared); }, c.scenario);
+}
+
+} // namespace
+
 std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& monitor)
 {
   if (c.accuracy)
@@ -343,6 +362,7 @@ std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& moni
                      "with a folder, or no solver.accuracy");
   const Threads guard(threads);
   const io::ScenarioPlan plan = io::plan_case(c);
+  require_device(c, false);
   io::ResultImage results(c, io::stored_parts(c, plan));
   std::visit([&](const auto& scenario)
              { (void)simulate(scenario, c, plan, results, monitor, {}, std::nullopt, nullptr); },
@@ -354,6 +374,7 @@ RunReport run_case(const io::Case& c, const io::ScenarioPlan& plan, const RunOpt
                    const RunMonitor& monitor)
 {
   const Threads threads(options.threads);
+  require_device(c, options.ranks && !options.ranks->is_alone());
   if (options.ranks && !options.ranks->is_alone())
     return run_shared(c, plan, options, monitor);
   return c.accuracy ? run_series(c, plan, options, monitor)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "module.hpp"
+#include "brinell/devices.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/processor.hpp"
@@ -44,6 +45,10 @@ void translate(const std::exception_ptr& pointer, void* /*payload*/)
   {
     raise("IoError", error.what());
   }
+  catch (const brinell::DeviceError& error)
+  {
+    raise("DeviceError", error.what());
+  }
   catch (const brinell::InternalError& error)
   {
     raise("InternalError", error.what());
@@ -63,6 +68,7 @@ NB_MODULE(_core, m)
     throw nb::import_error("brinell was compiled for a processor with AVX2; build it for this one: pip install .");
 #endif
   brinell::require_processor_choice();
+  brinell::app::offer_devices();
   nb::register_exception_translator(translate);
   brinell::python::bind_app(m);
   brinell::python::bind_stepping(m);

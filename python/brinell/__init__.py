@@ -61,6 +61,7 @@ if TYPE_CHECKING:
         ArgumentError,
         BrinellError,
         ConvergenceError,
+        DeviceError,
         GridError,
         InputError,
         InternalError,
@@ -121,6 +122,7 @@ __all__ = [
     "ConvergenceError",
     "Cylinder",
     "Dent",
+    "DeviceError",
     "Electrical",
     "Ellipsoid",
     "FatigueConstants",
@@ -192,7 +194,7 @@ __all__ = [
 _MODULES = {
     "bodies": "Berkovich Body Bump Cone Cylinder Dent Ellipsoid Flat RandomSurface Sinusoid Sphere Vickers",
     "case": "Case CaseWarning ReplacementWarning ResolutionWarning",
-    "errors": "ArgumentError BrinellError ConvergenceError GridError InputError InternalError IoError "
+    "errors": "ArgumentError BrinellError ConvergenceError DeviceError GridError InputError InternalError IoError "
     "MissingExtraError",
     "fits": "fit",
     "forecast": "Forecast",

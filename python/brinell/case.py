@@ -245,6 +245,7 @@ class Case:
         resume: bool = False,
         replace: bool | None = None,
         accuracy: float | str | None = None,
+        device: str | None = None,
         in_memory: bool = False,
         comm: MPI.Comm | None = None,
     ) -> Run:
@@ -265,6 +266,8 @@ class Case:
             accuracy: largest accepted relative error of the key numbers, 0.01 or "1 %". The case is run with coarse
                 cells first, and with finer cells as long as needed; `Run.accuracy` has the error interval of each
                 number.
+            device: where the bodies are computed, "cpu", "cuda" (a GPU), "auto" or "host" (docs/howto/gpu.md); None: as
+                `Solver.device` says.
             in_memory: write nothing to disk, for loops of small runs. The result is lost with the returned object, and
                 a run that does not finish leaves no result.
             comm: processes of mpi4py that compute this case together, each with a part of the bodies
@@ -282,8 +285,21 @@ class Case:
                 replace with resume or without a folder, or comm with in_memory or accuracy or without a folder.
             ConvergenceError: a step did not converge; the steps before are in the folder.
             IoError: the results cannot be written.
+            DeviceError: there is no GPU, or it does not suit or has failed; the steps before are in the folder.
         """
         from brinell.results.opening import open_run, run_of_image
+
+        if device is not None:
+            return self.with_values({"solver.device": device}).run(
+                output,
+                progress=progress,
+                threads=threads,
+                resume=resume,
+                replace=replace,
+                accuracy=accuracy,
+                in_memory=in_memory,
+                comm=comm,
+            )
 
         if in_memory and (output is not None or resume or accuracy is not None):
             rival = "a folder" if output is not None else "resume" if resume else "accuracy"

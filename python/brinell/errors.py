@@ -5,6 +5,7 @@ __all__ = [
     "ArgumentError",
     "BrinellError",
     "ConvergenceError",
+    "DeviceError",
     "GridError",
     "InputError",
     "InternalError",
@@ -35,6 +36,10 @@ class ConvergenceError(BrinellError, RuntimeError):
 
 class IoError(BrinellError, OSError):
     """A file could not be read or written."""
+
+
+class DeviceError(BrinellError, RuntimeError):
+    """A GPU is missing, does not suit or has failed; finished steps are kept."""
 
 
 class InternalError(BrinellError):

@@ -243,6 +243,11 @@ class Solver(CaseTable):
             they move: in one increment for this part of the shear yield stress of the weaker body, 1/16 by default. 0:
             in one increment together with the first motion, which makes the plastic work of the onset too small.
             Allowed: in [0, 1000]; default: 16.
+        device: Where the bodies are computed. cpu: on the processor; cuda: on a GPU, by a program that is built with
+            CUDA; auto: on a GPU if there is one that can, otherwise on the processor; host: on the processor as a GPU
+            would, which is slow and proves such a run without one. Results agree to about 1e-10, and a run may change
+            its device when it is resumed. What a device does not compute (bodies with layers or inclusions, more than
+            four back stresses) is refused. Default: "cpu".
     """
 
     accuracy: Quantity | None = None
@@ -257,6 +262,7 @@ class Solver(CaseTable):
     shortcuts: bool | None = None
     windows: bool | None = None
     onset_increments: int | None = None
+    device: Literal["cpu", "cuda", "auto", "host"] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

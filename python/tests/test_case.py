@@ -286,6 +286,26 @@ def test_threads_are_those_asked_for_and_only_for_this_run(case: brinell.Case) -
     assert again.summary["run"]["threads"] == int(os.environ.get("OMP_NUM_THREADS", len(os.sched_getaffinity(0))))
 
 
+def test_a_device_computes_the_bodies(case: brinell.Case) -> None:
+    case = case.with_values({"solver.windows": False})
+    here, there = case.run(device="host"), case.run()
+    assert here.summary is not None
+    assert there.summary is not None
+    assert here.history["dissipation_lower"][-1] > 0.0
+    for column, values in there.history.items():
+        if np.issubdtype(np.asarray(values).dtype, np.floating) and column != "F_Y":  # a sum of rounding errors
+            largest = np.max(np.abs(values))
+            np.testing.assert_allclose(here.history[column], values, rtol=0.0, atol=1e-10 * largest, err_msg=column)
+    with pytest.raises(brinell.InputError, match='solver.device = "gpu" is not known; allowed: "cpu"'):
+        case.run(device="gpu")
+
+
+def test_a_gpu_is_no_part_of_this_build(case: brinell.Case, tmp_path: Path) -> None:
+    with pytest.raises(brinell.InputError, match=r"solver\.device = cuda, and .* built without CUDA"):
+        case.run(tmp_path / "out", device="cuda")
+    assert not (tmp_path / "out").exists()
+
+
 def test_several_runs_at_once_in_one_process(case: brinell.Case) -> None:
     all_steps = case.with_values({"output.snapshots": "all"})
     alone = all_steps.run(threads=1).history["F_X"]

@@ -101,6 +101,9 @@ struct ProductsOfPiece
   }
 };
 
+inline constexpr std::size_t most_pieces_of_products = 8192,
+                             last_pieces_of_products = 64; ///< enough threads, little to copy
+
 /// Sums of pieces over every `last`-th piece.
 struct ProductsOfPieces
 {
@@ -220,7 +223,7 @@ private:
   }
   [[nodiscard]] std::vector<AndersonProducts> products(const elastoplastic::AndersonWeights::Entry& entry)
   {
-    constexpr std::size_t most = 8192, last = 64; // enough threads, and little to copy
+    constexpr std::size_t most = most_pieces_of_products, last = last_pieces_of_products;
     std::vector<AndersonProducts> sums(entry.known);
     const std::size_t pieces = std::min(known_, most);
     if (pieces == 0 || sums.empty())

@@ -37,6 +37,9 @@ struct Summed
   BRINELL_HOST_DEVICE Sum operator()(std::size_t n) const { return sums[n]; }
 };
 
+inline constexpr std::size_t first_pieces_of_sums = 32768,
+                             last_pieces_of_sums = 128; ///< enough threads, and little to copy
+
 /// Sums over up to a given number of terms on an executor. Their order depends on the number of terms alone, so the last digits do not
 /// depend on where and when threads run.
 /// @tparam Sum  has += and is zero when it is made, like double
@@ -65,7 +68,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t first_pieces = 32768, last_pieces = 128; ///< enough threads, and little to copy
+  static constexpr std::size_t first_pieces = first_pieces_of_sums, last_pieces = last_pieces_of_sums;
 
   const Executor* executor_;
   typename Executor::template Memory<Sum> pieces_, last_;

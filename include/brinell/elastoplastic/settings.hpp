@@ -10,6 +10,15 @@ namespace brinell::elastoplastic
 
 using constitutive::Integration;
 
+/// Where the increments of bodies that can yield are evaluated.
+enum class DeviceChoice
+{
+  cpu,
+  cuda,      ///< a GPU
+  automatic, ///< a GPU if there is one that can, otherwise the processor
+  host       ///< the processor in the part of a GPU, to prove runs without one
+};
+
 /// Tolerances and choices of the coupled increment.
 struct Settings
 {
@@ -34,6 +43,7 @@ struct Settings
   /// Where sliding begins or reverses, friction is raised before the surfaces move, in as many increments as it grows by parts of
   /// the shear yield stress, this number of parts being the whole of it. 0: in one increment together with the first motion.
   int onset_increments = 16;
+  DeviceChoice device = DeviceChoice::cpu; ///< of a run; a CoupledContact is given its Device
 
   /// Complementarity to which contacts are solved. With smaller tolerances of yield and displacement than the default ones it is
   /// smaller than `contact_tolerance`: what the contact leaves unsolved changes from evaluation to evaluation, so that it must

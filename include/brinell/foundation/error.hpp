@@ -33,6 +33,12 @@ class IoError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// A GPU is missing, does not suit or has failed. The text names the cause and what to do about it.
+class DeviceError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /// One part of brinell violated the contract of another: a bug, never an error of the user.
 class InternalError : public std::logic_error
 {

@@ -3,6 +3,7 @@
 
 #include "brinell/simulation/scenario.hpp"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -86,6 +87,18 @@ struct Forecast
   double shortest = 0.0, longest = 0.0; ///< range in which 95 of 100 runs like this one were [s]
 };
 [[nodiscard]] Forecast forecast(const Workload& work);
+
+/// Memory of a case on a device [bytes].
+struct DeviceMemory
+{
+  double arrays = 0.0;  ///< allocated by brinell
+  double buffers = 0.0; ///< of transforms beside them, at most
+};
+/// none: nothing of the case is on a device
+[[nodiscard]] std::optional<DeviceMemory> memory_on_device(const Plan& plan, const PairCase& c);
+/// Opens the device of a case once, so that what it lacks is told before a run begins.
+/// @throws InputError, DeviceError
+void require_device(const PairCase& c, bool is_shared);
 
 /// Peak memory of the first of ranks that share the bodies of a case, which needs most [bytes]; with one rank that of a run.
 [[nodiscard]] double memory_of_rank(const Plan& plan, const PairCase& c, int ranks);

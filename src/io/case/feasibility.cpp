@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/io/feasibility.hpp"
+#include "brinell/device/devices.hpp"
 
 #include "brinell/foundation/error.hpp"
 #include "brinell/foundation/share.hpp"
@@ -123,6 +124,27 @@ std::string remark(std::string text)
   return fmt::format("# {}\n", text);
 }
 
+/// Memory on the device of a case.
+std::string device_report(const simulation::PairCase& c, const simulation::Plan& plan)
+{
+  using elastoplastic::DeviceChoice;
+  const DeviceChoice choice = c.solver.device;
+  if (choice == DeviceChoice::cpu)
+    return "";
+  const std::string head = fmt::format("# Device: {}", device::name_of(choice));
+  const auto memory = simulation::memory_on_device(plan, c);
+  if (!memory)
+    return fmt::format("{}; {}\n", head,
+                       c.lower.material.is_plastic() || c.upper.material.is_plastic()
+                           ? "what a device does not compute is in this case, so the processor computes it"
+                           : "neither body can yield, so that nothing is computed there");
+  const std::string without = choice == DeviceChoice::automatic
+                                  ? "; this program has been built without CUDA, so the processor computes it"
+                                  : "; this program has been built without CUDA and cannot run the case";
+  return fmt::format("{}, {} of its memory, and up to {} for transforms{}\n", head, size_text(memory->arrays),
+                     size_text(memory->buffers), choice == DeviceChoice::host || device::has_cuda() ? "" : without);
+}
+
 template <typename ScenarioCase, typename ScenarioPlanOf>
 std::string quality_report(const ScenarioCase& c, const ScenarioPlanOf& plan)
 {
@@ -201,7 +223,8 @@ std::string check_report(const Case& c, const ScenarioPlan& plan)
                       return yield_report(scenario, p) + io_of(scenario).motion(scenario, p) + grid_report(p) +
                              fmt::format("# Cost: {}, {:.0f} bytes per cell of the bodies that are solved\n",
                                          forecast_text(cost), cost.memory / solved_cells(p)) +
-                             result_report(c, plan) + remark(left_out_text(c, plan)) + quality_report(scenario, p);
+                             device_report(scenario, p) + result_report(c, plan) + remark(left_out_text(c, plan)) +
+                             quality_report(scenario, p);
                     },
                     c.scenario);
 }

@@ -155,6 +155,15 @@ std::vector<Entry> solver_entries()
           "one "
           "increment for this part of the shear yield stress of the weaker body, 1/16 by default. 0: in one increment "
           "together with the first motion, which makes the plastic work of the onset too small."),
+      entry("device", &Settings::device, {},
+            "Where the bodies are computed. cpu: on the processor; cuda: on a GPU, by a program that is built with "
+            "CUDA; auto: on a "
+            "GPU if there is one that can, otherwise on the processor; host: on the processor as a GPU would, which is "
+            "slow and "
+            "proves such a run without one. Results agree to about 1e-10, and a run may change its device when it is "
+            "resumed. What a "
+            "device does not compute (bodies with layers or inclusions, more than four back stresses) is refused.",
+            {"cpu", "cuda", "auto", "host"}),
       bound({.key = "solver.accuracy",
              .of = kind::share.up_to(0.0, 0.5),
              .unset = "one run, with the cells as given",

@@ -27,7 +27,8 @@ void add_keys(const toml::table& table, const std::string& prefix, Keys& keys)
     else if (node.is_array_of_tables())
       for (std::size_t i = 0; i < node.as_array()->size(); ++i)
         add_keys(*node.as_array()->get_as<toml::table>(i), fmt::format("{}[{}].", key, i), keys);
-    else if (key != "grid.extent" && key != "output.checkpoint_interval" && key != "solver.symmetry")
+    else if (key != "grid.extent" && key != "output.checkpoint_interval" && key != "solver.symmetry" &&
+             key != "solver.device")
       keys.emplace(key, raw_value(node));
   }
 }

@@ -11,7 +11,7 @@ namespace brinell::io
 /// here". The first few are named, and the number of the others is given.
 /// @param there, here  contents of resolved.toml
 /// @throws InputError if one of them is not valid TOML
-/// @returns empty if the cases have the same results: grid.extent, output.checkpoint_interval and solver.symmetry are ignored
+/// @returns empty if the cases have the same results: grid.extent, output.checkpoint_interval, solver.symmetry and solver.device are ignored
 [[nodiscard]] std::string case_difference(std::string_view there, std::string_view here);
 
 } // namespace brinell::io

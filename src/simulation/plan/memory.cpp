@@ -119,17 +119,32 @@ double embedding_bytes(const VolumeGrid& grid, const EmbeddedCells& inclusions, 
          unknowns * vectors * static_cast<double>(inclusions.cells) * sizeof(double);
 }
 
+} // namespace
+
+double active_cells(const VolumeGrid& grid, const elastoplastic::Settings& solver, const Plan& plan)
+{
+  const double computed = plan.contact.is_mirrored_y ? 0.5 : 1.0;
+  return (solver.shortcuts ? share_near_yield(grid, plan) : computed) * static_cast<double>(grid.size());
+}
+
+bool has_deep_indents(const Plan& plan)
+{
+  constexpr double limit = 0.0101;
+  return plan.scales.displacement <= limit * plan.scales.gap;
+}
+
+namespace
+{
+
 /// Active cells in an increment, with the history of the acceleration. Without short cuts all cells are active.
 double trial_bytes(const VolumeGrid& grid, const constitutive::Material& material,
                    const elastoplastic::Settings& solver, const Plan& plan, int ranks)
 {
-  const double computed = plan.contact.is_mirrored_y ? 0.5 : 1.0;
-  const double active_share = solver.shortcuts ? share_near_yield(grid, plan) : computed;
   // Deep indents keep a longer history (docs/theory/elastoplastic.md, deep). Of them the scale is limited from below.
-  constexpr double limit = 0.0101;
-  const double more_history = plan.scales.displacement <= limit * plan.scales.gap ? 4.0 : 1.0;
+  const double more_history = has_deep_indents(plan) ? 4.0 : 1.0;
   const double values_per_cell = 5.0 * (3.0 * more_history * solver.anderson_depth + 11.0);
-  return material.is_plastic() ? field_bytes(own_layers(grid, ranks), active_share * values_per_cell) : 0.0;
+  return material.is_plastic() ? values_per_cell * sizeof(double) * active_cells(own_layers(grid, ranks), solver, plan)
+                               : 0.0;
 }
 
 /// Output of a body. Its fields are computed and written one after the other; the stress needs the most memory. Ranks pass a row of

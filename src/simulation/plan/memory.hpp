@@ -32,6 +32,12 @@ struct MemoryParts
                                        const constitutive::Material& upper, const elastoplastic::Settings& solver,
                                        int shears, const elastoplastic::HeatSettings* heat, int ranks = 1);
 
+/// Cells near yield in an increment, an estimate.
+[[nodiscard]] double active_cells(const VolumeGrid& grid, const elastoplastic::Settings& solver, const Plan& plan);
+/// Whether increments keep a longer history (docs/theory/elastoplastic.md, deep). Of their scales that of displacements is limited from
+/// below.
+[[nodiscard]] bool has_deep_indents(const Plan& plan);
+
 /// Peak memory of a run, including the program itself [bytes].
 /// @param lower, upper  materials of the bodies
 /// @param solver        of the increments

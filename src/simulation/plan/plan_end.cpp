@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plan_end.hpp"
 
+#include "device.hpp"
 #include "domain.hpp"
 #include "embedding.hpp"
 #include "footprint.hpp"
@@ -61,6 +62,7 @@ void end_plan(const PairCase& c, bool sticks, Plan& plan, const std::function<ha
               const std::array<double, 2>& beside)
 {
   check_layers(c, plan);
+  check_device(c);
   plan.inclusions = embedded_cells(c, plan, beside);
   const bool heats = is_heated(c);
   if (heats)

@@ -8,6 +8,7 @@
 #include "coverage.hpp"
 #include "foundation/nan.hpp"
 #include "naming_extent.hpp"
+#include "simulation/plan/device.hpp"
 #include "simulation/plan/grid_layout.hpp"
 #include "simulation/plan/memory.hpp"
 #include "simulation/plan/plan_end.hpp"
@@ -77,8 +78,10 @@ Stepper::Setup with_layers(Stepper::Setup setup, const Plan& plan)
 } // namespace
 
 Stepper::Stepper(const Plan& plan, Setup setup)
-    : setup_(with_layers(std::move(setup), plan)), plan_(plan), lattice_(plan, setup_.start), pair_(make_pair()),
-      distance_(plan.contact.size()),
+    : setup_(with_layers(std::move(setup), plan)), plan_(plan), lattice_(plan, setup_.start),
+      device_(device_of(setup_.solver.device, setup_.lower, setup_.upper, has_inclusions(),
+                        setup_.watch.ranks && !setup_.watch.ranks->is_alone())),
+      pair_(make_pair()), distance_(plan.contact.size()),
       distance_x0_(nan), depths_{std::vector<double>(plan.contact.size()), std::vector<double>(plan.contact.size())}
 {
 }
@@ -102,7 +105,7 @@ std::unique_ptr<CoupledContact> Stepper::make_pair() const
                                        setup_.beside.lower + plan_.lower.surface.y(0)),
                               in_cells(setup_.inclusions[1], plan_.upper, lattice_.upper_origin(),
                                        setup_.beside.upper + plan_.upper.surface.y(0))},
-      plan_.reference, sliding, setup_.watch.ranks);
+      plan_.reference, sliding, setup_.watch.ranks, device_);
   for (std::size_t side = 0; side < 2; ++side)
     if (setup_.follows_stress[side])
       pair->keep_trace(side);

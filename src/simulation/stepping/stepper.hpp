@@ -132,6 +132,7 @@ private:
   Setup setup_;
   Plan plan_; ///< with the current grids
   Lattice lattice_;
+  std::shared_ptr<const elastoplastic::Device> device_; ///< nullptr: the processor
   std::unique_ptr<elastoplastic::CoupledContact> pair_;
   std::vector<double> distance_;
   double distance_x0_ = 0.0; ///< Frame::x0 for which `distance_` holds
