@@ -65,6 +65,22 @@ ElasticStack Material::stack() const
   return stack;
 }
 
+ThermalStack Material::thermal_stack() const
+{
+  ThermalStack result{{}, thermal.value()};
+  result.layers.reserve(layers.size());
+  for (const Coat& layer : layers)
+    result.layers.push_back({layer.thickness, layer.thermal.value()});
+  return result;
+}
+
+bool Material::expands() const
+{
+  const auto does = [](const std::optional<Thermal>& part) { return part && part->expansion != 0.0; };
+  return does(thermal) ||
+         std::any_of(layers.begin(), layers.end(), [&](const Coat& layer) { return does(layer.thermal); });
+}
+
 ConductiveStack Material::conductors() const
 {
   ConductiveStack stack{{}, electrical->resistivity_at(temperature)};

@@ -178,11 +178,12 @@ std::optional<double> layers_of_hot_skin(const Facts& facts, const constitutive:
   constexpr double share_of_yield = 0.1;
   if (!facts.has_thermal_stress || !facts.heating_time || !material.thermal || !material.is_plastic())
     return std::nullopt;
-  const double stress =
-      material.elastic.young_modulus * material.thermal->expansion * rise / (1.0 - material.elastic.poisson_ratio);
+  const Elastic& skin = material.top();
+  const Thermal& thermal = material.layers.empty() ? *material.thermal : material.layers.front().thermal.value();
+  const double stress = skin.young_modulus * thermal.expansion * rise / (1.0 - skin.poisson_ratio);
   if (stress < share_of_yield * constitutive::initial_yield_stress(material.law()))
     return std::nullopt;
-  return std::sqrt(4.0 * material.thermal->diffusivity() * *facts.heating_time) / facts.cell[2];
+  return std::sqrt(4.0 * thermal.diffusivity() * *facts.heating_time) / facts.cell[2];
 }
 
 /// Layers of cells that the hot skin needs. With one, thermal yield at the surface is lost nearly whole, with two a third of its

@@ -7,7 +7,7 @@
 #include "brinell/constitutive/softening.hpp"
 #include "brinell/green/conductive_stack.hpp"
 #include "brinell/green/elastic_stack.hpp"
-#include "brinell/green/thermal.hpp"
+#include "brinell/green/thermal_stack.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -38,6 +38,7 @@ struct Coat
   Elastic elastic;
   std::optional<HardeningLaw> hardening{}; ///< empty: the layer stays elastic
   std::optional<Electrical> electrical{};  ///< of the layers of a body that conducts
+  std::optional<Thermal> thermal{};        ///< of the layers of a body whose temperature is computed
   bool operator==(const Coat&) const = default;
 };
 
@@ -53,7 +54,7 @@ struct Material
   double temperature = 20.0;        ///< of the bulk [deg C]
   std::optional<Electrical> electrical{};  ///< empty: the body insulates
   std::optional<SofteningLaw> softening{}; ///< factor on the yield stress as a function of temperature; empty: 1
-  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening and heat of their own.
+  /// From the surface down, on the substrate, which has the constants above; without kinematic hardening and softening.
   std::vector<Coat> layers{};
 
   [[nodiscard]] bool is_plastic() const;
@@ -67,6 +68,10 @@ struct Material
   [[nodiscard]] ElasticStack stack() const;
   /// Resistivities at the temperature of the bulk; the material and its layers must conduct.
   [[nodiscard]] ConductiveStack conductors() const;
+  /// Thermal constants of all layers; the material and its layers must have them.
+  [[nodiscard]] ThermalStack thermal_stack() const;
+  /// Whether heat expands a part of it.
+  [[nodiscard]] bool expands() const;
   /// Constants at the surface.
   [[nodiscard]] const Elastic& top() const { return layers.empty() ? elastic : layers.front().elastic; }
   /// The constants, among those of the substrate and the layers, with the largest contact compliance.

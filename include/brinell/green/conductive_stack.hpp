@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brinell/green/elastic_stack.hpp"
+#include "brinell/green/thermal_stack.hpp"
 
 #include <vector>
 
@@ -26,6 +27,16 @@ struct ConductiveStack
   [[nodiscard]] double top() const { return layers.empty() ? substrate : layers.front().resistivity; }
   bool operator==(const ConductiveStack&) const = default;
 };
+
+/// The stack with 1/conductivity in place of the resistivity.
+[[nodiscard]] inline ConductiveStack resisting_heat(const ThermalStack& stack)
+{
+  ConductiveStack result{{}, 1.0 / stack.substrate.conductivity};
+  result.layers.reserve(stack.layers.size());
+  for (const ThermalCoat& layer : stack.layers)
+    result.layers.push_back({layer.thickness, 1.0 / layer.thermal.conductivity});
+  return result;
+}
 
 /// The elastic body whose displacement across the plane of a wave, under a shear across it, is the potential of a current in the
 /// stack: the shear modulus is 1/resistivity, Poisson's ratio is 0 (docs/theory/electrical.md, layers).

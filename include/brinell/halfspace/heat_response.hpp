@@ -3,7 +3,7 @@
 
 #include "brinell/foundation/grid.hpp"
 #include "brinell/foundation/hidden.hpp"
-#include "brinell/green/thermal.hpp"
+#include "brinell/green/thermal_stack.hpp"
 
 #include <limits>
 #include <span>
@@ -20,6 +20,10 @@ struct HeatMotion
   bool operator==(const HeatMotion&) const = default;
 };
 
+/// Checks that the cells represent the first layer of a coated body that conducts heat.
+/// @throws InputError if it is thinner than a quarter of a cell
+void require_resolved(const SurfaceGrid& grid, const ThermalStack& stack);
+
 /// Flux into the surface of a half space -> temperature rise of the surface at the end of the motion, for a flux that has been
 /// constant while it moved over the surface; outside the flux the surface is insulated: docs/theory/heat.md (moving-cell).
 ///
@@ -32,6 +36,10 @@ public:
   /// @throws InputError if the duration is infinite but no steady state exists (on a grid with a periodic axis, for a flux that
   ///         is at rest or moves along periodic axes only), or if a constant or the duration is not above 0
   HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion);
+
+  /// Of a coated body, for a finite duration: the response of a half space of its first layer, and what the layers beneath add to it.
+  /// @throws InputError also as `require_resolved`
+  HeatResponse(const SurfaceGrid& grid, const ThermalStack& thermal, const HeatMotion& motion);
 
   /// Response of two bodies to the same flux: the sum of their temperature rises.
   /// @throws InputError if the grids are not the same

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "brinell/foundation/archive.hpp"
-#include "brinell/green/elastic.hpp"
+#include "brinell/green/elastic_stack.hpp"
+#include "brinell/green/thermal_stack.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 #include "brinell/halfspace/surface_temperature.hpp"
 
@@ -35,6 +36,8 @@ struct HeatedLayers
   double thickness = 0.0; ///< of each [m]
 };
 
+struct WantedOfHeat;
+
 /// Fields in an elastic half space due to the heat that has entered its surface, step by step: displacement of the surface, and
 /// temperature and stress in the body: docs/theory/heat.md (thermal-displacement, thermal-stress).
 ///
@@ -51,6 +54,12 @@ public:
   /// @throws InputError if a constant or a time is not above 0, a depth is below 0, or depths are given for a rigid body
   ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatTimes& times,
                std::vector<double> depths = {}, HeatImages images = HeatImages::fine, const HeatedLayers& heated = {});
+
+  /// Of a coated body; no heat is generated in it. A homogeneous stack is a half space.
+  /// @param elastic  with the layers of `thermal`
+  /// @throws InputError also if the layers differ in number or thickness, or the substrate is rigid
+  ThermalField(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic,
+               const HeatTimes& times, std::vector<double> depths = {}, HeatImages images = HeatImages::fine);
 
   [[nodiscard]] const SurfaceGrid& grid() const;
   [[nodiscard]] const std::vector<double>& depths() const;
@@ -103,6 +112,8 @@ public:
   void remaining_temperature(double duration, std::span<double> temperature) const;
 
 private:
+  void begin(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic, const HeatTimes& times,
+             std::vector<double> depths, const WantedOfHeat& wanted);
   struct State;
   Hidden<State> state_;
 };

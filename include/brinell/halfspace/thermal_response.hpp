@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "brinell/green/elastic.hpp"
+#include "brinell/green/elastic_stack.hpp"
+#include "brinell/green/thermal_stack.hpp"
 #include "brinell/halfspace/heat_response.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
@@ -25,6 +26,9 @@ public:
   /// @throws InputError if a constant or the duration is not above 0, or no steady displacement exists
   ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic, const HeatMotion& motion,
                   std::optional<double> reference = {}, Displacements components = Displacements::normal);
+  /// Of a coated body, for a finite duration.
+  ThermalResponse(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic,
+                  const HeatMotion& motion, Displacements components = Displacements::normal);
 
   [[nodiscard]] const SurfaceGrid& grid() const;
 

@@ -26,14 +26,17 @@ FluxResponse::Operators& FluxResponse::operators()
   constexpr std::size_t max_cached = 6;
   if (cached_.size() == max_cached)
     cached_.pop_back();
-  halfspace::HeatResponse temperature(contact_, *material_.thermal, motion_);
+  halfspace::HeatResponse temperature(contact_, material_.thermal_stack(), motion_);
   auto temperature_scratch = temperature.make_scratch();
   std::optional<halfspace::ThermalResponse> displacement;
   halfspace::ThermalResponse::Scratch displacement_scratch;
   if (swells_)
   {
-    displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_,
-                         along_surface_ ? halfspace::Displacements::all : halfspace::Displacements::normal);
+    const auto parts = along_surface_ ? halfspace::Displacements::all : halfspace::Displacements::normal;
+    if (material_.layers.empty())
+      displacement.emplace(contact_, *material_.thermal, material_.elastic, motion_, reference_, parts);
+    else
+      displacement.emplace(contact_, material_.thermal_stack(), material_.stack(), motion_, parts);
     displacement_scratch = displacement->make_scratch();
   }
   cached_.push_front({motion_, std::move(temperature), std::move(displacement), std::move(temperature_scratch),

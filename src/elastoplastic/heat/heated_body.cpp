@@ -50,6 +50,8 @@ halfspace::HeatedLayers heated_layers(const VolumeGrid& volume, const constituti
 {
   if (!material.is_plastic() || settings.of_plastic_work == 0.0)
     return {};
+  if (!material.layers.empty())
+    throw InputError("the heat of plastic work in a coated body is not computed; allowed: of_plastic_work = 0");
   return {volume.nz, volume.dz};
 }
 
@@ -67,19 +69,24 @@ void fit(const SurfaceGrid& from, std::span<const double> field, const SurfaceGr
 
 BodyHeat::BodyHeat(const VolumeGrid& volume, const constitutive::Material& material, const HeatedRun& run,
                    const HeatNumerics& numerics)
-    : grid_(heat_grid(volume.surface)), thermal_(material.thermal.value()), bulk_(material.temperature),
-      swells_(run.settings.displacement && thermal_.expansion != 0.0),
-      is_stressed_(run.settings.stress && thermal_.expansion != 0.0 && material.is_plastic()),
+    : grid_(heat_grid(volume.surface)), bulk_(material.temperature),
+      swells_(run.settings.displacement && material.expands()),
+      is_stressed_(run.settings.stress && material.expands() && material.is_plastic()),
       softening_law_(material.is_plastic() ? material.softening : std::nullopt), is_rigid_(material.elastic.is_rigid())
 {
+  if (run.settings.regime == HeatRegime::steady && !material.layers.empty())
+    throw InputError("the steady heat of a coated body is not computed; allowed: the transient regime");
   if (run.settings.regime == HeatRegime::steady)
-    steady_.emplace(grid_, thermal_, material.elastic, volume.dz, run.settings.reference);
+    steady_.emplace(grid_, *material.thermal, material.elastic, volume.dz, run.settings.reference);
   else
   {
     const halfspace::HeatedLayers heated = heated_layers(volume, material, run.settings);
-    field_.emplace(grid_, thermal_, material.elastic, run.times,
-                   is_rigid_ ? std::vector<double>{} : depths_of(volume, run.layers),
-                   numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine, heated);
+    const auto images = numerics.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine;
+    const std::vector<double> depths = is_rigid_ ? std::vector<double>{} : depths_of(volume, run.layers);
+    if (material.layers.empty())
+      field_.emplace(grid_, *material.thermal, material.elastic, run.times, depths, images, heated);
+    else
+      field_.emplace(grid_, material.thermal_stack(), material.stack(), run.times, depths, images);
     if (heated.count > 0)
       plastic_.emplace(grid_, run.settings.of_plastic_work);
   }

@@ -75,7 +75,6 @@ private:
   void require_layers(const VolumeGrid& body) const;
 
   SurfaceGrid grid_;
-  Thermal thermal_;
   double bulk_;               ///< temperature far from the contact [deg C]
   bool swells_, is_stressed_; ///< whether thermal displacement changes the gap, and thermal stress affects yielding
   std::optional<constitutive::SofteningLaw> softening_law_; ///< none: the yield stress does not depend on temperature

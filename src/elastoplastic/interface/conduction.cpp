@@ -24,7 +24,8 @@ ConductiveStack resistances_to_heat(const constitutive::Material& material)
   ConductiveStack stack{{}, material.thermal ? 1.0 / material.thermal->conductivity : by_current(*material.electrical)};
   stack.layers.reserve(material.layers.size());
   for (const constitutive::Coat& layer : material.layers)
-    stack.layers.push_back({layer.thickness, by_current(*layer.electrical)});
+    stack.layers.push_back(
+        {layer.thickness, layer.thermal ? 1.0 / layer.thermal->conductivity : by_current(*layer.electrical)});
   return stack;
 }
 
@@ -43,8 +44,7 @@ Conduction::Conduction(const halfspace::SurfaceCompliance& compliance, double mo
 bool Conduction::is_known(const Current::Materials& materials)
 {
   return std::all_of(materials.begin(), materials.end(),
-                     [](const constitutive::Material* material)
-                     { return material->electrical || (material->thermal && material->layers.empty()); });
+                     [](const constitutive::Material* material) { return material->electrical || material->thermal; });
 }
 
 void Conduction::commit(const Interaction& found, const Placement& /*placement*/)

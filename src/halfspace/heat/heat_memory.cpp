@@ -24,10 +24,10 @@ double cell_mean(double angle)
 } // namespace
 
 HeatMemory::HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-                       const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers)
-    : waves_(grid, px, py, thermal, std::move(waves), surface), heat_{AlignedVector<ComplexLanes>(
-                                                                    waves_.block_of(waves_.fft.rows()) *
-                                                                    waves_.in_depth.waves.size())}
+                       const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers,
+                       std::shared_ptr<const HeatCoat> coat)
+    : waves_(grid, px, py, thermal, std::move(waves), surface, std::move(coat)),
+      heat_{AlignedVector<ComplexLanes>(waves_.block_of(waves_.fft.rows()) * waves_.in_depth.waves.size())}
 {
   if (layers)
     buried_.emplace(layers, waves_.along, waves_.columns(), waves_.diffusivity);
@@ -234,6 +234,15 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
   // Uninitialised memory suffices: all values that are read later are written first.
   const auto spectra = std::make_unique_for_overwrite<double[]>(2 * (out.size() * waves_.fft.plane()));
   auto* const waves = reinterpret_cast<Complex*>(spectra.get());
+  std::vector<PaddedFft::Spectrum> rows;
+  rows.reserve(out.size());
+  if (waves_.coat)
+  {
+    find_coated(duration, factor, depths, fields_of_heat, waves);
+    for (std::size_t f = 0; f < out.size(); ++f)
+      rows.push_back({waves + f * waves_.fft.plane(), static_cast<int>(waves_.columns())});
+    return waves_.fft.inverse(rows, fields_of_heat.is_odd, adds, out, window);
+  }
   const bool has_buried = buried_ && !buried_->is_cold();
   const bool is_deep = !depths.front().temperature.empty();
   std::optional<DepthSums> sums;
@@ -269,8 +278,6 @@ void HeatMemory::fields(double duration, double factor, std::span<const DepthFac
         wanted.add_row(row, of_row);
     }
   }
-  std::vector<PaddedFft::Spectrum> rows;
-  rows.reserve(out.size());
   for (std::size_t f = 0; f < out.size(); ++f)
     rows.push_back({waves + f * waves_.fft.plane(), significant[f / fields_of_heat.is_odd.size()]});
   waves_.fft.inverse(rows, fields_of_heat.is_odd, adds, out, window);

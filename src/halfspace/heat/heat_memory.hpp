@@ -23,6 +23,9 @@ struct HeatRow
   std::span<const Complex> temperature;          ///< [K]
   std::span<const Complex> potential, slope;     ///< k psi and d psi/dz [K m]
   std::span<const Complex> potential_at_surface; ///< k psi for z = 0 [K m]
+  /// Of a coated body, instead of the potential: stress along the wavevector, zz, and lz without the factor i [Pa]; at the surface, where
+  /// the waves of the temperature are not summed: displacement along z, and along the wavevector without the factor -i [m].
+  std::span<const Complex> ll{}, zz{}, lz{}, moved{}, moved_along{};
 };
 
 /// Memory of one periodic surface: for each wave in depth and along the surface, the heat that is left of all that has entered.
@@ -45,8 +48,10 @@ public:
   /// @param px, py    periods, in cells of the grid
   /// @param surface   factors of all waves in depth at the surface, of which `waves` are the last ones
   /// @param layers    layers in which heat may be generated; nullptr: none
+  /// @param coat      of a coated body, whose memory has the constants `thermal`; nullptr: none
   HeatMemory(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-             const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers = nullptr);
+             const DepthFactors& surface, const std::shared_ptr<const LayeredConduction>& layers = nullptr,
+             std::shared_ptr<const HeatCoat> coat = nullptr);
 
   [[nodiscard]] const SurfaceGrid& grid() const { return waves_.fft.grid(); }
   [[nodiscard]] int period_x() const { return waves_.fft.px(); } ///< [cells]
@@ -107,6 +112,10 @@ private:
   using RowOfHeat = AlignedVector<ComplexLanes>;
   struct Row;
   struct RowOfFields;
+  struct CoatedRow;
+  void coated_row(int row, const CoatedRow& wanted) const;
+  void find_coated(double duration, double factor, std::span<const DepthFactors> depths,
+                   const FieldsOfHeat& fields_of_heat, Complex* spectra) const;
   [[nodiscard]] const ComplexLanes* heat_of_row(int row, RowOfHeat& buffer) const;
   [[nodiscard]] AlignedVector<Complex> planes() const;
 

@@ -5,8 +5,11 @@
 #include "foundation/fft.hpp"
 #include "foundation/require_size.hpp"
 #include "heat_quadrature.hpp"
+#include "open_heat_memory.hpp"
 #include "require_thermal.hpp"
+#include "steady_displacement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -112,6 +115,71 @@ HeatResponse::HeatResponse(const SurfaceGrid& grid, const Thermal& thermal, cons
         "HeatResponse: there is no steady state of a body that is heated all along a periodic axis by a flux "
         "that never leaves; allowed: a duration, a velocity across the period, or open axes");
   operator_ = make_hidden<Operator>(grid, thermal, motion);
+}
+
+namespace
+{
+
+double longer_side(const SurfaceGrid& grid)
+{
+  return grid.ny == 1 && grid.is_periodic_y() ? grid.dx : std::max(grid.dx, grid.dy);
+}
+
+/// Excess of a coated body at all offsets between cells, by a unit flux through one cell.
+std::vector<double> excess_of_cell(const SurfaceGrid& grid, const ThermalStack& thermal, const HeatMotion& motion)
+{
+  // The shortest waves of the cells should not reach the next layer.
+  const int finer = thermal.thickness_of_first() < longer_side(grid) ? 3 : 1, finer_y = grid.ny == 1 ? 1 : finer;
+  SurfaceGrid offsets = grid;
+  offsets.nx = finer * (grid.is_periodic_x() ? grid.nx : 2 * grid.nx - 1);
+  offsets.ny = finer_y * (grid.is_periodic_y() ? grid.ny : 2 * grid.ny - 1);
+  offsets.dx = grid.dx / finer;
+  offsets.dy = grid.dy / finer_y;
+  offsets.is_mirrored_y = !grid.is_periodic_y() && motion.velocity_y == 0.0;
+  std::vector<double> flux(offsets.size()), temperature(offsets.size());
+  const int first_x = finer * (grid.is_periodic_x() ? 0 : grid.nx - 1),
+            first_y = finer_y * (grid.is_periodic_y() ? 0 : grid.ny - 1);
+  for (int j = 0; j < finer_y; ++j)
+    for (int i = 0; i < finer; ++i)
+      flux[offsets.index(first_x + i, first_y + j)] = 1.0;
+  WantedOfHeat wanted;
+  wanted.coat = CoatOfBody{thermal, {}, HeatCoat::Surface::excess, {}};
+  OpenHeatMemory memory("HeatResponse", offsets, HeatCoat::of_memory(thermal), {motion.duration, motion.duration},
+                        wanted);
+  memory.add_step("HeatResponse", flux, motion);
+  memory.present_excess(temperature);
+  std::vector<double> result;
+  result.reserve(offsets.size() / static_cast<std::size_t>(finer * finer_y));
+  for (int j = finer_y / 2; j < offsets.ny; j += finer_y)
+    for (int i = finer / 2; i < offsets.nx; i += finer)
+      result.push_back(temperature[offsets.index(i, j)]);
+  return result;
+}
+
+} // namespace
+
+void require_resolved(const SurfaceGrid& grid, const ThermalStack& stack)
+{
+  constexpr double least = 0.25; // of a cell
+  const double cell = longer_side(grid), thickness = stack.thickness_of_first();
+  if (!stack.is_homogeneous() && thickness < least * cell)
+    throw InputError(fmt::format("the first layer that conducts is {:.4g} m thick on cells of {:.4g} m along the "
+                                 "surface; allowed: a thickness of {:.4g} m at least, or smaller cells",
+                                 thickness, cell, least * cell));
+}
+
+HeatResponse::HeatResponse(const SurfaceGrid& grid, const ThermalStack& thermal, const HeatMotion& motion)
+    : HeatResponse(grid, thermal.top(), motion)
+{
+  require_thermal("HeatResponse", thermal);
+  if (std::isinf(thermal.thickness_of_first()) || thermal.is_homogeneous())
+    return;
+  require_resolved(grid, thermal);
+  if (std::isinf(motion.duration))
+    throw InputError("HeatResponse: a coated body that is heated for ever; allowed: a finite duration");
+  const AlignedVector<Complex> excess = spectrum_of_offsets(operator_->fft, excess_of_cell(grid, thermal, motion));
+  for (std::size_t i = 0; i < excess.size(); ++i)
+    operator_->spectrum[i] += excess[i];
 }
 
 HeatResponse::HeatResponse(Hidden<Operator> given) : operator_(std::move(given)) {}

@@ -11,9 +11,9 @@ namespace brinell::halfspace
 {
 
 HeatWaves::HeatWaves(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-                     const DepthFactors& surface)
+                     const DepthFactors& surface, std::shared_ptr<const HeatCoat> coat_of_body)
     : fft(grid, px, py), diffusivity(thermal.diffusivity()), conductivity(thermal.conductivity),
-      in_depth(std::move(waves)),
+      coat(std::move(coat_of_body)), in_depth(std::move(waves)),
       at_surface(surface.at_surface.end() - static_cast<std::ptrdiff_t>(in_depth.waves.size()),
                  surface.at_surface.end() - 1)
 {
@@ -66,6 +66,7 @@ SurfaceWeights HeatWaves::surface_weights(double duration) const
   constexpr double nothing = 1e-20;
   const std::vector<double> left = left_in_depth(duration);
   SurfaceWeights weights;
+  weights.left = left;
   for (std::size_t w = 0; w < left.size(); ++w)
   {
     if (left[w] <= nothing)
@@ -100,19 +101,34 @@ void store_first(const ComplexLanes& value, std::size_t count, Complex* to)
 
 } // namespace
 
+ComplexLanes HeatWaves::coated_sum(HeatCoat::Part part, std::size_t depth, const HeatCoat::Place& place,
+                                   const ComplexLanes* heat, std::span<const double> left,
+                                   std::span<Lanes> buffer) const
+{
+  coat->weights(part, depth, place, buffer);
+  ComplexLanes sum;
+  for (std::size_t w = 0; w < buffer.size(); ++w)
+    sum = sum + left[w] * buffer[w] * heat[w];
+  return sum;
+}
+
 void HeatWaves::sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights, SurfaceSums& sums) const
 {
   const std::size_t waves = in_depth.waves.size();
+  AlignedVector<Lanes> coated(coat ? waves : 0);
   for (std::size_t block = 0; block < blocks(); ++block, heat += waves)
   {
     const std::size_t number = block_of(row) + block, first = block * lane_count;
     const std::size_t count = std::min<std::size_t>(lane_count, columns() - first), to = begin_of(row) + first;
     const Lanes k2 = k[number] * k[number];
     ComplexLanes temperature, potential, potential_now;
-    for (std::size_t w = weights.first_left; w < waves; ++w)
+    for (std::size_t w = weights.first_left; w < waves && !(coat && coat->is_excess()); ++w)
       temperature = temperature + weights.temperature[w] * heat[w];
+    if (coat)
+      temperature =
+          temperature + coated_sum(HeatCoat::Part::surface, 0, coat->place_of(k[number]), heat, weights.left, coated);
     store_first(temperature, count, sums.temperature.data() + to);
-    if (!in_depth.has_fields)
+    if (!in_depth.has_fields || coat)
       continue;
     for (std::size_t w = 0; w + 1 < waves; ++w)
     {

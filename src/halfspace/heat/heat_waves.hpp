@@ -4,7 +4,9 @@
 #include "brinell/halfspace/heat_response.hpp"
 #include "foundation/fft.hpp"
 #include "halfspace/transform/depth_sums.hpp"
+#include "heat_coat.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,6 +27,7 @@ struct SurfaceWeights
 {
   std::size_t first_left = 0; ///< first wave that has not decayed after the duration
   std::vector<double> temperature, potential, potential_now;
+  std::vector<double> left; ///< decay factors of all waves
 };
 
 /// Waves along the surface and in depth in which a periodic surface remembers its heat: how they decay, how their heat lies in
@@ -34,8 +37,9 @@ struct HeatWaves
   /// @param grid     grid of flux and temperature
   /// @param px, py   periods, in cells of the grid
   /// @param surface  factors of all waves in depth at the surface, of which `waves` are the last ones
+  /// @param coat_of_body  nullptr: a homogeneous body
   HeatWaves(const SurfaceGrid& grid, int px, int py, const Thermal& thermal, DepthWaves waves,
-            const DepthFactors& surface);
+            const DepthFactors& surface, std::shared_ptr<const HeatCoat> coat_of_body = nullptr);
 
   [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(fft.kx()); }
   /// Index of the first wave of a row.
@@ -57,6 +61,14 @@ struct HeatWaves
   [[gnu::noinline]] void sum_row(int row, const ComplexLanes* heat, const SurfaceWeights& weights,
                                  SurfaceSums& sums) const;
 
+  /// Sum over the waves in depth for a part of what heat does in a coated body, of the columns of a block.
+  /// @param heat    [wave]
+  /// @param left    decay factors of the waves
+  /// @param buffer  as many values as waves
+  [[nodiscard]] ComplexLanes coated_sum(HeatCoat::Part part, std::size_t depth, const HeatCoat::Place& place,
+                                        const ComplexLanes* heat, std::span<const double> left,
+                                        std::span<Lanes> buffer) const;
+
   /// Planes of waves in the layout of a grid that is not mirrored; real and imaginary parts alternate.
   [[nodiscard]] std::vector<double> whole(const AlignedVector<Complex>& planes) const;
   /// Inverse of `whole`.
@@ -64,6 +76,7 @@ struct HeatWaves
 
   PaddedFft fft;
   double diffusivity, conductivity;
+  std::shared_ptr<const HeatCoat> coat; ///< nullptr: a homogeneous body
   DepthWaves in_depth;
   std::vector<double> at_surface;  ///< weights of all waves except the last one in the potential at the surface
   std::vector<SurfaceWave> along;  ///< [plane]

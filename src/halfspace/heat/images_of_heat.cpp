@@ -63,14 +63,20 @@ ImagesOfHeat::ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, doub
 }
 
 DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
-                         double deepest)
+                         const WantedOfHeat& wanted)
 {
   require_thermal(owner, thermal);
+  if (wanted.coat)
+    require_thermal(owner, wanted.coat->thermal);
   if (!(times.shortest_step > 0.0) || !(times.duration >= times.shortest_step) || std::isinf(times.duration))
     throw InputError(fmt::format("{}: a shortest step of {} s in a duration of {} s; allowed: finite times above 0, "
                                  "the duration not below the step",
                                  owner, times.shortest_step, times.duration));
-  const double finest = std::numbers::pi * std::hypot(1.0 / grid.dx, 1.0 / grid.dy);
+  // In a stack the fastest waves are those of the layer in which heat spreads fastest.
+  const double contrast =
+      wanted.coat ? std::sqrt(wanted.coat->thermal.fastest().diffusivity() / thermal.diffusivity()) : 1.0;
+  const double finest = contrast * std::numbers::pi * std::hypot(1.0 / grid.dx, 1.0 / grid.dy);
+  const double deepest = wanted.coat ? std::max(0.0, wanted.deepest) : wanted.deepest;
   return depth_waves(thermal.diffusivity(), {times.shortest_step, times.duration, deepest}, finest);
 }
 
@@ -95,7 +101,7 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
   const double copies = goes_back ? 2.0 : 1.0;
   constexpr double of_layers = 3.0;    // temperature, and amplitudes now and before the step
   constexpr double along_surface = 14; // wavenumbers, the planned step, its response, and sums over depth
-  const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted.deepest);
+  const DepthWaves waves = waves_of_heat("the heat of a body", grid, thermal, times, wanted);
   const auto lattice = [&](int px, int py, const DepthWaves& kept, double layers)
   {
     const double rows = grid.is_mirrored_y ? py / 2 + 1 : py;
@@ -104,9 +110,10 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
     return rows * blocks * sizeof(ComplexLanes) *
            (copies * static_cast<double>(kept.waves.size()) + along_surface + of_layers * layers);
   };
-  const double spread = reach_of_heat * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
+  const Thermal& farthest = wanted.coat ? wanted.coat->thermal.fastest() : thermal;
+  const double spread = reach_of_heat * std::sqrt(4.0 * farthest.diffusivity() * times.duration);
   const double deepest = (wanted.heated.count + 1) * wanted.heated.thickness + spread;
-  const ImagesOfHeat images(grid, thermal, times.duration, wanted.images, waves.has_fields);
+  const ImagesOfHeat images(grid, farthest, times.duration, wanted.images, waves.has_fields);
   double bytes = lattice(images.period_x, images.period_y, waves, layers_of_heat(wanted.heated, deepest, 1));
   for (double distance = images.nearest; distance < images.end; distance *= 2.0)
   {

@@ -3,6 +3,10 @@
 
 #include "brinell/halfspace/thermal_field.hpp"
 #include "halfspace/transform/depth_waves.hpp"
+#include "heat_coat.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace brinell::halfspace
 {
@@ -29,18 +33,28 @@ struct ImagesOfHeat
   ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, double duration, HeatImages images, bool has_fields);
 };
 
+/// Layers of a coated body, for its memory of heat.
+struct CoatOfBody
+{
+  ThermalStack thermal;
+  std::optional<ElasticStack> elastic{}; ///< none: nothing expands
+  HeatCoat::Surface surface = HeatCoat::Surface::difference;
+  std::vector<double> depths{}; ///< at which fields are wanted [m]
+};
+
 /// Requirements of the heat of a body beyond the temperature of its surface.
 struct WantedOfHeat
 {
   double deepest = -1.0; ///< largest depth of fields in the body [m]; negative: no fields in the body
   HeatImages images = HeatImages::fine;
-  HeatedLayers heated{}; ///< layers of the body in which heat may be generated
+  HeatedLayers heated{};            ///< layers of the body in which heat may be generated
+  std::optional<CoatOfBody> coat{}; ///< none: a homogeneous body; its memory has the constants HeatCoat::of_memory
 };
 
 /// The waves in depth of a body.
-/// @throws InputError if a constant or a time is not above 0
+/// @throws InputError if a constant, a thickness or a time is not above 0
 [[nodiscard]] DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
-                                       const HeatTimes& times, double deepest);
+                                       const HeatTimes& times, const WantedOfHeat& wanted);
 
 /// Memory of an OpenHeatMemory [bytes].
 /// @param goes_back  with the state before a step, to take the step back

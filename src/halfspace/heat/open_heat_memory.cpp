@@ -69,35 +69,83 @@ std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heat
                                                    (heated.count + 1) * heated.thickness + spread);
 }
 
+/// Chebyshev points in each layer, between which fields of images are interpolated. Images are at least as far away as the grid is
+/// wide. For layers down to that depth, seven points have an error of 1e-4 of the fields of the images; five points, about 1e-3.
+std::vector<double> nodes_of_images(const WantedOfHeat& wanted)
+{
+  const int points = wanted.images == HeatImages::coarse ? 5 : 7;
+  constexpr int points_of_thin = 3;
+  constexpr double thin = 0.1; // of the depth
+  std::vector<double> nodes;
+  const auto add = [&](double top, double bottom)
+  {
+    const int count = bottom - top < thin * wanted.deepest ? points_of_thin : points;
+    for (int n = 0; n < count; ++n)
+      nodes.push_back(top + 0.5 * (bottom - top) * (1.0 - std::cos(std::numbers::pi * (n + 0.5) / count)));
+  };
+  double top = 0.0;
+  for (std::size_t n = 0; wanted.coat && n < wanted.coat->thermal.layers.size() && top < wanted.deepest; ++n)
+  {
+    const double bottom = std::min(wanted.deepest, top + wanted.coat->thermal.layers[n].thickness);
+    add(top, bottom);
+    top = bottom;
+  }
+  if (top < wanted.deepest)
+    add(top, wanted.deepest);
+  return nodes;
+}
+
+/// Weights for all wavelengths of the lattices.
+std::shared_ptr<const HeatCoat> planned_coat(const SurfaceGrid& grid, const WantedOfHeat& wanted,
+                                             const DepthWaves& waves, const ImagesOfHeat& images)
+{
+  if (!wanted.coat)
+    return nullptr;
+  const CoatOfBody& body = *wanted.coat;
+  std::vector<double> depths;
+  if (images.nearest < images.end && wanted.deepest > 0.0)
+    depths = nodes_of_images(wanted);
+  depths.insert(depths.end(), body.depths.begin(), body.depths.end());
+  double longest = std::max(images.period_x * grid.dx, images.period_y * grid.dy);
+  for (double distance = images.nearest; distance < images.end; distance *= 2.0)
+    longest *= 2.0;
+  return std::make_shared<const HeatCoat>(body.thermal, body.elastic, waves,
+                                          HeatCoat::Wanted{2.0 * longest,
+                                                           2.0 / std::hypot(1.0 / grid.dx, 1.0 / grid.dy),
+                                                           grid.is_periodic(), body.surface, std::move(depths)});
+}
+
 } // namespace
 
 OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
                                const HeatTimes& times, const Wanted& wanted)
-    : OpenHeatMemory(grid, thermal, times, wanted, waves_of_heat(owner, grid, thermal, times, wanted.deepest))
+    : OpenHeatMemory(grid, thermal, times, wanted, waves_of_heat(owner, grid, thermal, times, wanted))
 {
 }
 
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                                const Wanted& wanted, const DepthWaves& waves)
     : OpenHeatMemory(grid, thermal, times, wanted, waves,
-                     ImagesOfHeat(grid, thermal, times.duration, wanted.images, waves.has_fields))
+                     ImagesOfHeat(grid, wanted.coat ? wanted.coat->thermal.fastest() : thermal, times.duration,
+                                  wanted.images, waves.has_fields))
 {
 }
 
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                                const Wanted& wanted, DepthWaves waves, const ImagesOfHeat& images)
     : times_(times), heated_(wanted.heated), layers_(planned_layers(wanted.heated, thermal, times)),
-      waves_(std::move(waves)),
-      near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), layers_)
+      waves_(std::move(waves)), coat_(planned_coat(grid, wanted, waves_, images)),
+      near_(grid, images.period_x, images.period_y, thermal, waves_, surface_factors(waves_), layers_, coat_)
 {
   plan_images(thermal, wanted, images);
-  // Images are at least as far away as the grid is wide. For layers down to that depth, seven points have an error of 1e-4 of the
-  // fields of the images; five points, about 1e-3.
-  const int points = wanted.images == HeatImages::coarse ? 5 : 7;
-  std::vector<double> nodes;
-  for (int n = 0; n < points && wanted.deepest > 0.0 && !farther_.empty(); ++n)
-    nodes.push_back(0.5 * wanted.deepest * (1.0 - std::cos(std::numbers::pi * (n + 0.5) / points)));
-  image_depths_ = depth_factors(waves_, nodes);
+  if (farther_.empty() || !(wanted.deepest > 0.0))
+    return;
+  const std::vector<double> nodes = nodes_of_images(wanted);
+  if (coat_) // which has the weights
+    for (const double node : nodes)
+      image_depths_.push_back({node, {0.0}, {}, {}, {}});
+  else
+    image_depths_ = depth_factors(waves_, nodes);
 }
 
 void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted, const ImagesOfHeat& images)
@@ -114,7 +162,7 @@ void OpenHeatMemory::plan_images(const Thermal& thermal, const Wanted& wanted, c
     const DepthWaves slow = waves_.slower_than(images.decayed / distance);
     const auto layers = wanted.images == HeatImages::coarse ? layers_for_images(layers_, distance) : layers_;
     const auto memory = [&](int px, int py)
-    { return HeatMemory(cells.grid(), px, py, thermal, slow, surface, layers); };
+    { return HeatMemory(cells.grid(), px, py, thermal, slow, surface, layers, coat_); };
     farther_.push_back(
         {cells, Lattices{memory(images.twice_x, images.twice_y), memory(images.once_x, images.once_y), layers}});
   }
@@ -163,6 +211,18 @@ void OpenHeatMemory::remaining(const char* function_name, double duration, std::
 {
   require_size(fmt::format("{}: the temperature", function_name).c_str(), temperature, grid().size());
   require_step(function_name, duration);
+  add_surface(duration, temperature);
+}
+
+void OpenHeatMemory::present_excess(std::span<double> temperature) const
+{
+  if (!coat_ || !coat_->is_excess())
+    throw InternalError("OpenHeatMemory: the flux of a step heats its surface in another way");
+  add_surface(0.0, temperature);
+}
+
+void OpenHeatMemory::add_surface(double duration, std::span<double> temperature) const
+{
   const auto add = [&](const HeatMemory& memory, double factor, Fields& sums)
   { memory.add_remaining(duration, factor, grid(), sums.front()); };
   Fields result = sum_of_images(1, 1.0, add);
@@ -192,6 +252,21 @@ void OpenHeatMemory::fields(const char* function_name, double duration, std::spa
     add_images(duration, depths, fields_of_heat, out, window);
 }
 
+/// Of the depths of images, the first and the one after the last that lie in the layer of a depth.
+std::pair<std::size_t, std::size_t> OpenHeatMemory::nodes_around(double depth) const
+{
+  if (!coat_)
+    return {0, image_depths_.size()};
+  const std::size_t layer = coat_->layer_at(depth);
+  std::size_t first = 0;
+  while (coat_->layer_at(image_depths_[first].depth) < layer)
+    ++first;
+  std::size_t last = first;
+  while (last < image_depths_.size() && coat_->layer_at(image_depths_[last].depth) == layer)
+    ++last;
+  return {first, last};
+}
+
 /// Fields of the images vary slowly with depth, as the images are far away: for many layers they are interpolated by the
 /// polynomial through Chebyshev points.
 void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> depths,
@@ -213,10 +288,10 @@ void OpenHeatMemory::add_images(double duration, std::span<const DepthFactors> d
                     });
   for (std::size_t d = 0; d < depths.size(); ++d)
   {
-    const std::size_t first = each ? d : 0, last = each ? d + 1 : nodes.size();
+    const auto [first, last] = each ? std::pair{d, d + 1} : nodes_around(depths[d].depth);
     std::vector<double> weights;
     for (std::size_t n = first; n < last; ++n)
-      weights.push_back(each ? 1.0 : lagrange(nodes, n, depths[d].depth));
+      weights.push_back(each ? 1.0 : lagrange(nodes.subspan(first, last - first), n - first, depths[d].depth));
     for (std::size_t f = 0; f < count; ++f)
       for (std::size_t n = first; n < last; n += fields_per_pass)
         add_weighted(std::span(weights).subspan(n - first, std::min(fields_per_pass, last - n)), images, n * count + f,

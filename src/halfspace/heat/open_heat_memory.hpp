@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace brinell::halfspace
@@ -30,9 +31,12 @@ public:
   [[nodiscard]] const SurfaceGrid& grid() const { return near_.grid(); }
   [[nodiscard]] double time() const { return time_; } ///< total duration of all steps so far [s]
   [[nodiscard]] const DepthWaves& waves() const { return waves_; }
+  [[nodiscard]] const HeatCoat* coat() const { return coat_.get(); } ///< nullptr: a homogeneous body
 
   /// The temperature of the surface that remains after `duration`.
   void remaining(const char* function_name, double duration, std::span<double> temperature) const;
+  /// Temperature of the surface at the end of the last step by the part of a coated body that does not begin at once: HeatCoat::Surface::excess.
+  void present_excess(std::span<double> temperature) const;
   /// Fields that remain after `duration`; for duration = 0, the present fields.
   /// @param out     [depth][field], with the same fields at each depth
   /// @param window  cells for which the fields are computed
@@ -88,6 +92,8 @@ private:
   [[nodiscard]] std::vector<HeatMemory*> lattices();
   void add_images(double duration, std::span<const DepthFactors> depths, const HeatMemory::FieldsOfHeat& fields_of_heat,
                   const std::vector<std::span<double>>& out, const HeatMemory::Window& window) const;
+  [[nodiscard]] std::pair<std::size_t, std::size_t> nodes_around(double depth) const;
+  void add_surface(double duration, std::span<double> temperature) const;
   void plan_images(const Thermal& thermal, const Wanted& wanted, const ImagesOfHeat& images);
   void require_step(const char* function_name, double duration) const;
   [[nodiscard]] Fields sum_of_images(std::size_t count, double factor_of_farthest, const Add& add) const;
@@ -99,10 +105,11 @@ private:
   std::shared_ptr<const LayeredConduction> layers_; ///< nullptr: no heat is generated in the body
   double time_ = 0.0;
   DepthWaves waves_;
+  std::shared_ptr<const HeatCoat> coat_; ///< nullptr: a homogeneous body
   HeatMemory near_;
   std::vector<FartherImages> farther_;
-  std::vector<DepthFactors>
-      image_depths_; ///< depths between which fields of images are interpolated; empty without fields
+  /// Depths between which fields of images are interpolated, in each layer by its own; empty without fields.
+  std::vector<DepthFactors> image_depths_;
 };
 
 } // namespace brinell::halfspace

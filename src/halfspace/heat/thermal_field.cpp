@@ -89,6 +89,46 @@ private:
   double nu_, scale_; ///< 2 mu alpha (1 + nu)/(1 - nu)
 };
 
+/// Fields of a row of waves in a coated body.
+struct CoatedStress
+{
+  const ThermalStack& thermal;
+  const ElasticStack& stack;
+  bool has_temperature, has_trace, has_deviator;
+
+  void operator()(const HeatRow& heat, std::span<Complex* const> out) const
+  {
+    const std::size_t layer = stack.layer_at(heat.depth);
+    const Elastic& body = stack.of_layer(layer);
+    const double nu = body.poisson_ratio, held = body.young_modulus * thermal.of_layer(layer).expansion;
+    std::size_t field = 0;
+    if (has_temperature)
+      std::copy(heat.temperature.begin(), heat.temperature.end(), out[field++]);
+    Complex* const trace = has_trace ? out[field++] : nullptr;
+    const auto to = [&](int component) { return out[field + static_cast<std::size_t>(component)]; };
+    for (std::size_t i = 0; i < heat.waves.size(); ++i)
+    {
+      const SurfaceWave& wave = heat.waves[i];
+      const Complex ll = heat.ll[i], zz = heat.zz[i];
+      // Across a wave nothing moves; a uniform temperature is held in both directions alike.
+      const Complex tt = wave.k > 0.0 ? nu * (ll + zz) - held * heat.temperature[i] : ll;
+      const Complex all = ll + zz + tt;
+      if (has_trace)
+        trace[i] = all;
+      if (!has_deviator)
+        continue;
+      const double inverse = wave.k > 0.0 ? 1.0 / wave.k : 0.0;
+      const double x = wave.kx * inverse, y = wave.ky * inverse;
+      const Complex apart = ll - tt, shear = inverse * -1.0 * divided_by_i(heat.lz[i]);
+      to(Deviator::xx)[i] = tt + x * x * apart - all / 3.0;
+      to(Deviator::yy)[i] = tt + y * y * apart - all / 3.0;
+      to(Deviator::yz)[i] = wave.odd_y * shear;
+      to(Deviator::xz)[i] = wave.odd_x * shear;
+      to(Deviator::xy)[i] = wave.odd_x * wave.odd_y * inverse * inverse * apart;
+    }
+  }
+};
+
 double largest_of(const std::vector<double>& depths)
 {
   return depths.empty() ? 0.0 : *std::max_element(depths.begin(), depths.end());
@@ -128,14 +168,19 @@ private:
 
 struct ThermalField::State
 {
-  Elastic elastic;
-  double expansion; ///< alpha [1/K]
-  double strain;    ///< of a layer constrained along the surface: alpha (1 + nu)/(1 - nu) [1/K]
-  double capacity;  ///< rho c [J/(m^3 K)]
+  ThermalStack thermal;
+  ElasticStack stack;
   std::vector<double> depths;
   OpenHeatMemory memory;
+  // Of a homogeneous body
+  Elastic elastic = stack.substrate;
+  double expansion = thermal.substrate.expansion; ///< alpha [1/K]
+  /// Of a layer constrained along the surface: alpha (1 + nu)/(1 - nu) [1/K].
+  double strain = expansion * (1.0 + elastic.poisson_ratio) / (1.0 - elastic.poisson_ratio);
+  double capacity = thermal.substrate.density * thermal.substrate.specific_heat; ///< rho c [J/(m^3 K)]
   std::unique_ptr<LayerFactors> layers{};
   DepthFactors surface{};
+  std::vector<DepthFactors> coated{}; ///< depths of a coated body
 
   struct Layers
   {
@@ -143,9 +188,13 @@ struct ThermalField::State
   };
   void find_layers(double duration, const Layers& which, const ThermalLayer& wanted,
                    const std::vector<std::span<double>>& fields, const HeatMemory::Window& window) const;
+  [[nodiscard]] bool is_coated() const { return memory.coat() != nullptr; }
   void tabulate()
   {
     surface = surface_factors(memory.waves());
+    if (is_coated()) // HeatCoat has the weights
+      for (const double depth : depths)
+        coated.push_back({depth, {0.0}, {}, {}, {}});
     layers = std::make_unique<LayerFactors>(memory.waves(), depths);
   }
 };
@@ -161,6 +210,10 @@ void ThermalField::State::find_layers(double duration, const Layers& which, cons
   std::vector<bool> is_odd(static_cast<std::size_t>(has_temperature) + static_cast<std::size_t>(has_trace), false);
   for (int c = 0; has_deviator && c < Deviator::size; ++c)
     is_odd.push_back(is_odd_in_y(c));
+  if (is_coated())
+    return memory.fields("ThermalField::layer", duration, std::span(coated).subspan(which.first, which.count),
+                         {CoatedStress{thermal, stack, has_temperature, has_trace, has_deviator}, is_odd}, fields,
+                         window);
   const StressOfRow stress(elastic.poisson_ratio, scale);
   const auto waves = [&](const HeatRow& heat, std::span<Complex* const> to)
   {
@@ -176,22 +229,56 @@ void ThermalField::State::find_layers(double duration, const Layers& which, cons
                 window);
 }
 
-ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
-                           const HeatTimes& times, std::vector<double> depths, HeatImages images,
-                           const HeatedLayers& heated)
+void ThermalField::begin(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic,
+                         const HeatTimes& times, std::vector<double> depths, const WantedOfHeat& wanted)
 {
   for (const double depth : depths)
     if (!(depth >= 0.0) || std::isinf(depth))
       throw InputError(fmt::format("ThermalField: a depth of {} m; allowed: 0 and above", depth));
-  if (elastic.is_rigid() && !depths.empty())
+  if (elastic.substrate.is_rigid() && !depths.empty())
     throw InputError("ThermalField: a rigid body has no stress at any depth; allowed: an elastic body, or no depths");
-  if (!std::isfinite(thermal.expansion))
-    throw InputError(fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.expansion));
-  const double nu = elastic.poisson_ratio, deepest = largest_of(depths);
-  state_ = make_hidden<State>(elastic, thermal.expansion, thermal.expansion * (1.0 + nu) / (1.0 - nu),
-                              thermal.density * thermal.specific_heat, std::move(depths),
-                              OpenHeatMemory("ThermalField", grid, thermal, times, {deepest, images, heated}));
+  for (std::size_t n = 0; n <= thermal.layers.size(); ++n)
+    if (!std::isfinite(thermal.of_layer(n).expansion))
+      throw InputError(
+          fmt::format("ThermalField: expansion = {}; allowed: a finite number", thermal.of_layer(n).expansion));
+  state_ = make_hidden<State>(thermal, elastic, std::move(depths),
+                              OpenHeatMemory("ThermalField", grid, HeatCoat::of_memory(thermal), times, wanted));
   state_->tabulate();
+}
+
+ThermalField::ThermalField(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images,
+                           const HeatedLayers& heated)
+{
+  const WantedOfHeat wanted{largest_of(depths), images, heated, {}};
+  begin(grid, {{}, thermal}, {{}, elastic}, times, std::move(depths), wanted);
+}
+
+namespace
+{
+
+void require_same_layers(const ThermalStack& thermal, const ElasticStack& elastic)
+{
+  if (elastic.substrate.is_rigid())
+    throw InputError("ThermalField: layers on a rigid substrate; allowed: an elastic substrate");
+  const auto same = [](const ThermalCoat& coat, const ElasticLayer& layer)
+  { return coat.thickness == layer.thickness; };
+  if (!std::equal(thermal.layers.begin(), thermal.layers.end(), elastic.layers.begin(), elastic.layers.end(), same))
+    throw InputError("ThermalField: the layers that conduct are not those that deform; allowed: the same thicknesses");
+}
+
+} // namespace
+
+ThermalField::ThermalField(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic,
+                           const HeatTimes& times, std::vector<double> depths, HeatImages images)
+{
+  WantedOfHeat wanted{largest_of(depths), images, {}, {}};
+  if (!thermal.is_homogeneous())
+  {
+    require_same_layers(thermal, elastic);
+    wanted.coat = CoatOfBody{thermal, elastic, HeatCoat::Surface::difference, depths};
+  }
+  begin(grid, thermal, elastic, times, std::move(depths), wanted);
 }
 
 const SurfaceGrid& ThermalField::grid() const
@@ -291,8 +378,11 @@ void ThermalField::displacement(const SurfaceDisplacement& displacement, double 
     for (std::size_t i = 0; i < heat.waves.size(); ++i)
     {
       const SurfaceWave& wave = heat.waves[i];
-      const Complex potential = (wave.k > 0.0 ? factor : of_uniform) * heat.potential_at_surface[i];
-      const Complex along = wave.k > 0.0 ? -1.0 / wave.k * divided_by_i(potential) : Complex{};
+      const bool is_coated = !heat.moved.empty();
+      const Complex potential =
+          is_coated ? heat.moved[i] : (wave.k > 0.0 ? factor : of_uniform) * heat.potential_at_surface[i];
+      const Complex of_along = is_coated ? -1.0 * heat.moved_along[i] : potential;
+      const Complex along = wave.k > 0.0 ? -1.0 / wave.k * divided_by_i(of_along) : Complex{};
       auto field = to.begin();
       if (!displacement.z.empty())
         (*field++)[i] = potential;

@@ -25,7 +25,7 @@ std::size_t parts_of(Displacements components)
 }
 
 /// For a step of finite duration of an initially cold body.
-OfCell displacement_of_cell(const SurfaceGrid& grid, const Thermal& thermal, const Elastic& elastic,
+OfCell displacement_of_cell(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic,
                             const HeatMotion& motion, Displacements components)
 {
   require_along_x("ThermalResponse", grid, motion);
@@ -83,8 +83,16 @@ ThermalResponse::ThermalResponse(const SurfaceGrid& grid, const Thermal& thermal
     : operator_(make_hidden<Operator>(
           grid, std::isinf(motion.duration)
                     ? steady_displacement_of_cell(grid, thermal, elastic, motion, reference, components)
-                    : displacement_of_cell(grid, thermal, elastic, motion, components)))
+                    : displacement_of_cell(grid, ThermalStack{{}, thermal}, {{}, elastic}, motion, components)))
 {
+}
+
+ThermalResponse::ThermalResponse(const SurfaceGrid& grid, const ThermalStack& thermal, const ElasticStack& elastic,
+                                 const HeatMotion& motion, Displacements components)
+{
+  if (std::isinf(motion.duration) && !thermal.is_homogeneous())
+    throw InputError("ThermalResponse: a coated body that is heated for ever; allowed: a finite duration");
+  operator_ = make_hidden<Operator>(grid, displacement_of_cell(grid, thermal, elastic, motion, components));
 }
 
 const SurfaceGrid& ThermalResponse::grid() const

@@ -74,8 +74,11 @@ std::vector<constitutive::Coat> coats(const CaseReader& reader, const std::strin
                             fmt::format("{} is missing; allowed: {}", key, allowed_values(*find_entry(key))));
     if (given < 3)
       continue;
-    layers.push_back({reader.get<double>(keys[0]), {reader.get<double>(keys[1]), reader.get<double>(keys[2])}, {}, {}});
+    layers.push_back(
+        {reader.get<double>(keys[0]), {reader.get<double>(keys[1]), reader.get<double>(keys[2])}, {}, {}, {}});
     layers.back().electrical = electrical_of(reader, table + ".electrical.");
+    layers.back().thermal =
+        thermal_of(reader, table + ".thermal.", {"conductivity", "density", "specific_heat", "expansion"});
     try
     {
       if (has_law)
@@ -101,7 +104,6 @@ void refuse_with_layers(const CaseReader& reader, const std::string& table, cons
           reader.place(key),
           fmt::format("{0} does not go with {1}layers; allowed: a body without layers, or without {0}", key, table));
   };
-  refuse(material.thermal.has_value(), table + "thermal.conductivity");
   refuse(material.softening.has_value(), table + "softening.law");
 }
 

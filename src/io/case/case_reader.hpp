@@ -141,6 +141,9 @@ void read_thermal(const CaseReader& reader, const std::string& table, constituti
 
 /// Reads the electrical constants, if there are any.
 /// @param table  ends with a dot
+/// Thermal constants of which all `keys` must be given; empty if none is.
+std::optional<Thermal> thermal_of(const CaseReader& reader, const std::string& table,
+                                  const std::vector<const char*>& keys);
 std::optional<constitutive::Electrical> electrical_of(const CaseReader& reader, const std::string& table);
 
 /// Reads the softening law; none if no law is given.

@@ -182,6 +182,60 @@ Entries back_stress_entries(const std::string& list, const Condition& yields)
   return entries;
 }
 
+constexpr double absolute_zero = -273.15;              // [degC]
+constexpr const char* no_solid = "which no solid has"; // from foams to metals and diamond
+
+/// Keys of the constants of heat conduction and expansion.
+/// @param deforms  whether the body deforms
+/// @param unset    effect of no such key
+Entries heat_entries(const std::string& table, const Condition& given, const Condition& deforms, const char* unset)
+{
+  constexpr double most_expansion = 1e-3; // [1/K]: three times that of rubber
+  return in_table(
+      table, given,
+      {
+          {.key = "conductivity",
+           .of = kind::conductivity.above(0.0),
+           .unset = unset,
+           .text = "Thermal conductivity K. With density rho and specific heat c the diffusivity is K/(rho c).",
+           .hint = "a steel has 15 to 60 W/(m K)",
+           .usual = {"unusual_thermal", 0.01, 3000.0, no_solid}},
+          {.key = "density",
+           .of = kind::density.above(0.0),
+           .unset = unset,
+           .text = "Mass per volume rho.",
+           .hint = "a steel has about 7850 kg/m^3",
+           .usual = {"unusual_thermal", 10.0, 23000.0, no_solid}},
+          {.key = "specific_heat",
+           .of = kind::specific_heat.above(0.0),
+           .unset = unset,
+           .text = "Heat capacity per mass c.",
+           .hint = "a steel has about 460 J/(kg K)",
+           .usual = {"unusual_thermal", 50.0, 10000.0, no_solid}},
+          {.key = "expansion",
+           .of = kind::expansion.between(-most_expansion, most_expansion),
+           .unset = unset,
+           .text = "Coefficient alpha of linear thermal expansion; with 0 heat neither expands nor stresses the body.",
+           .hint = "a steel has about 12e-6 1/K",
+           .when = deforms},
+      });
+}
+
+/// Keys of the thermal constants of a material.
+Entries thermal_entries(const std::string& material)
+{
+  const std::string table = material + "thermal.";
+  return joined({heat_entries(table, {}, {material + "rigid", {"false"}}, "no heat"),
+                 in_table(table, {},
+                          {
+                              {.key = "temperature",
+                               .of = kind::temperature.above(absolute_zero),
+                               .unset = "20 degC",
+                               .text = "Temperature of the bulk, far from the contact and before the first load.",
+                               .member = material + "temperature"},
+                          })});
+}
+
 /// Keys of the electrical constants of the layers of a coated body.
 Entries electrical_entries_of_layers(const std::string& material)
 {
@@ -242,7 +296,8 @@ Entries layer_entries(const std::string& material)
                 .unset = "none",
                 .text = "Hardening law of the layer, as that of the material; none: the layer stays elastic."},
            }),
-       hardening_entries(hardening, yields), std::move(points), electrical_entries_of_layers(material)});
+       hardening_entries(hardening, yields), std::move(points), electrical_entries_of_layers(material),
+       heat_entries(table + "thermal.", {material + "rigid", {"false"}}, {}, "the body has no thermal constants")});
   for (Entry& entry : entries)
     entry.list = list;
   return entries;
@@ -274,49 +329,6 @@ Entries depth_entries(const std::string& table, const Condition& yields)
            .unset = "none",
            .text =
                "Residual stress xx = yy before the first load, tension positive; it must be below the yield stress."},
-      });
-}
-
-constexpr double absolute_zero = -273.15;              // [degC]
-constexpr const char* no_solid = "which no solid has"; // from foams to metals and diamond
-
-/// Keys of the thermal constants of a material.
-Entries thermal_entries(const std::string& material)
-{
-  constexpr double most_expansion = 1e-3; // [1/K]: three times that of rubber
-  const Condition deforms{material + "rigid", {"false"}};
-  return in_table(
-      material + "thermal.", {},
-      {
-          {.key = "conductivity",
-           .of = kind::conductivity.above(0.0),
-           .unset = "no heat",
-           .text = "Thermal conductivity K. With density rho and specific heat c the diffusivity is K/(rho c).",
-           .hint = "a steel has 15 to 60 W/(m K)",
-           .usual = {"unusual_thermal", 0.01, 3000.0, no_solid}},
-          {.key = "density",
-           .of = kind::density.above(0.0),
-           .unset = "no heat",
-           .text = "Mass per volume rho.",
-           .hint = "a steel has about 7850 kg/m^3",
-           .usual = {"unusual_thermal", 10.0, 23000.0, no_solid}},
-          {.key = "specific_heat",
-           .of = kind::specific_heat.above(0.0),
-           .unset = "no heat",
-           .text = "Heat capacity per mass c.",
-           .hint = "a steel has about 460 J/(kg K)",
-           .usual = {"unusual_thermal", 50.0, 10000.0, no_solid}},
-          {.key = "expansion",
-           .of = kind::expansion.between(-most_expansion, most_expansion),
-           .unset = "no heat",
-           .text = "Coefficient alpha of linear thermal expansion; with 0 heat neither expands nor stresses the body.",
-           .hint = "a steel has about 12e-6 1/K",
-           .when = deforms},
-          {.key = "temperature",
-           .of = kind::temperature.above(absolute_zero),
-           .unset = "20 degC",
-           .text = "Temperature of the bulk, far from the contact and before the first load.",
-           .member = material + "temperature"},
       });
 }
 

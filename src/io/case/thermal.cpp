@@ -5,26 +5,43 @@
 namespace brinell::io
 {
 
+std::optional<Thermal> thermal_of(const CaseReader& reader, const std::string& table,
+                                  const std::vector<const char*>& keys)
+{
+  const auto has = [&](const char* key) { return reader.has(table + key); };
+  if (std::none_of(keys.begin(), keys.end(), has))
+    return std::nullopt;
+  for (const char* key : keys)
+    if (!has(key))
+    {
+      const Entry& entry = *find_entry(table + key);
+      reader.missing(table + key, fmt::format("{}; {}", allowed_values(entry), entry.hint));
+    }
+  const auto number = [&](const char* key) { return reader.get_or(table + key, 0.0); };
+  return Thermal{.conductivity = number("conductivity"),
+                 .density = number("density"),
+                 .specific_heat = number("specific_heat"),
+                 .expansion = number("expansion")};
+}
+
 void read_thermal(const CaseReader& reader, const std::string& table, constitutive::Material& material)
 {
   std::vector<const char*> keys{"conductivity", "density", "specific_heat"};
   if (!material.elastic.is_rigid())
     keys.push_back("expansion");
-  const auto has = [&](const char* key) { return reader.has(table + key); };
-  if (std::none_of(keys.begin(), keys.end(), has) && !has("temperature"))
+  material.thermal = thermal_of(reader, table, keys);
+  if (!reader.has(table + "temperature"))
     return;
-  for (const char* key : keys)
-    if (!has(key))
+  if (!material.thermal) // the temperature of a bulk without constants: they are missing
+  {
+    for (const char* key : keys)
     {
       const Entry& entry = *find_entry(table + key);
       reader.missing(entry.key, fmt::format("{}; {}", allowed_values(entry), entry.hint));
     }
-  const auto number = [&](const char* key, double otherwise) { return reader.get_or(table + key, otherwise); };
-  material.thermal = Thermal{.conductivity = number("conductivity", 0.0),
-                             .density = number("density", 0.0),
-                             .specific_heat = number("specific_heat", 0.0),
-                             .expansion = number("expansion", 0.0)};
-  material.temperature = number("temperature", material.temperature);
+    material.thermal.emplace();
+  }
+  material.temperature = reader.get<double>(table + "temperature");
 }
 
 std::optional<constitutive::Electrical> electrical_of(const CaseReader& reader, const std::string& table)

@@ -18,9 +18,21 @@ void require_share(const char* key, double share)
     throw PlanError("{} = {:g}; allowed: from 0 to 1", key, share);
 }
 
-bool swells(const constitutive::Material& material)
+/// Refuses what is not computed of a coated body that is heated.
+void require_coat(const PairCase& c, const char* name, const constitutive::Material& material)
 {
-  return material.thermal && material.thermal->expansion != 0.0;
+  if (material.layers.empty() || !material.thermal)
+    return;
+  const std::string layers = member_of(name, "material.layers");
+  if (c.heat.regime == elastoplastic::HeatRegime::steady)
+    throw PlanError(
+        "`HeatSettings::regime` = \"steady\" and {} with thermal constants: the steady heat of coated bodies "
+        "is not computed; allowed: \"transient\"",
+        layers);
+  if (material.is_plastic() && c.heat.of_plastic_work > 0.0)
+    throw PlanError("`HeatSettings::of_plastic_work` = {:g} and {} with thermal constants: the heat of plastic work in "
+                    "coated bodies is not computed; allowed: `HeatSettings::of_plastic_work` = 0",
+                    c.heat.of_plastic_work, layers);
 }
 
 /// Checks that heat is shared only between two bodies that take heat.
@@ -94,7 +106,7 @@ void require_steady(const PairCase& c, const HeatedMotion& motion)
     if (body->material.is_plastic() && c.heat.of_plastic_work > 0.0)
       refuse(fmt::format("this regime cannot compute the heat of the plastic work of the {} body", name),
              "`HeatSettings::of_plastic_work` = 0");
-  if (motion.upper_rests && swells(c.upper.material) && c.heat.displacement && !c.heat.reference)
+  if (motion.upper_rests && c.upper.material.expands() && c.heat.displacement && !c.heat.reference)
     throw PlanError("`HeatSettings::reference` is missing: the upper body rests under its heat flux, and the thermal "
                     "displacement under a steady flux at rest has no limit: it grows with the logarithm of the "
                     "distance; allowed: the distance from the contact at which the thermal displacement is taken as "
@@ -140,6 +152,8 @@ void require_heat(const PairCase& c, const HeatedMotion& motion)
     throw PlanError("{} is missing: with {} and the thermal constants of a body the heat "
                     "depends on it; allowed: a {} > 0, as \"1 {}\"; or no thermal constants",
                     speed_name, c.heat.source.exists() ? "a heat source" : "friction", motion.name, motion.unit);
+  for (const auto& [name, body] : {std::pair{"lower", &c.lower}, {"upper", &c.upper}})
+    require_coat(c, name, body->material);
   if (c.heat.regime == elastoplastic::HeatRegime::steady)
     require_steady(c, motion);
   require_two_sides(c, c.lower.material, c.upper.material);

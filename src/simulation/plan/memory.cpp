@@ -194,11 +194,14 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
   const bool is_rigid = material.elastic.is_rigid();
   const int layers = std::max(volume.nz, plan.layers);
   const double deepest = is_rigid ? -1.0 : (2.0 * layers - 0.5) * volume.dz;
-  const double kept = halfspace::memory_of_heat(
-      grid.surface, *material.thermal, plan.heat_times,
-      {deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine,
-       of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}},
-      material.is_plastic());
+  halfspace::WantedOfHeat wanted{
+      deepest, solver.shortcuts ? halfspace::HeatImages::coarse : halfspace::HeatImages::fine,
+      of_plastic_work ? halfspace::HeatedLayers{volume.nz, volume.dz} : halfspace::HeatedLayers{}};
+  const ThermalStack stack = material.thermal_stack();
+  if (!stack.is_homogeneous())
+    wanted.coat = halfspace::CoatOfBody{stack};
+  const double kept =
+      halfspace::memory_of_heat(grid.surface, stack.slowest(), plan.heat_times, wanted, material.is_plastic());
   const PaddedLengths padded = padded_lengths(grid.surface);
   const double field = static_cast<double>(sizeof(double)) * padded.x * padded.y;
   const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;

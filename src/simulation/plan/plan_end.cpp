@@ -10,6 +10,7 @@
 #include "memory.hpp"
 
 #include "brinell/halfspace/half_space.hpp"
+#include "brinell/halfspace/heat_response.hpp"
 #include "brinell/halfspace/surface_compliance.hpp"
 
 #include <tuple>
@@ -20,6 +21,23 @@ namespace brinell::simulation
 namespace
 {
 
+/// Checks that all layers of a body have thermal constants, or neither they nor the body.
+void require_thermal_layers(const constitutive::Material& material, const char* name)
+{
+  for (std::size_t n = 0; n < material.layers.size(); ++n)
+  {
+    const std::string table = fmt::format("material.layers[{}].thermal", n);
+    const bool has = material.layers[n].thermal.has_value();
+    if (has && !material.thermal)
+      throw PlanError("{}, but {} is missing; allowed: thermal constants of all layers and of the material beneath, or "
+                      "of none",
+                      member_of(name, table), member_of(name, "material.thermal"));
+    if (!has && material.thermal)
+      throw PlanError("{} is missing: the {} body has thermal constants; allowed: those of each of its layers",
+                      member_of(name, table), name);
+  }
+}
+
 /// Layers need cells that end at the interfaces where plastic strain may be, and are not computed with everything.
 void check_layers(const PairCase& c, const Plan& plan)
 {
@@ -29,11 +47,17 @@ void check_layers(const PairCase& c, const Plan& plan)
     if (body->material.layers.empty())
       continue;
     const std::string layers = member_of(name, "material.layers");
+    require_thermal_layers(body->material, name);
     try
     {
       halfspace::require_resolved(plan.contact, body->material.stack());
       if (body->material.electrical)
         halfspace::require_resolved(plan.contact, in_shear(body->material.conductors()));
+      if (body->material.thermal)
+      {
+        halfspace::require_resolved(plan.contact, body->material.thermal_stack());
+        halfspace::require_resolved(plan.contact, in_shear(resisting_heat(body->material.thermal_stack())));
+      }
       if (needs_aligned_cells(*body))
         halfspace::require_aligned(*grid, body->material.stack());
     }

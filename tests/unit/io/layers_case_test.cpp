@@ -70,6 +70,42 @@ TEST(LayersCase, LayersConduct)
                          "the heat of a film on layers is not computed");
 }
 
+TEST(LayersCase, LayersHaveThermalConstants)
+{
+  const std::string thermal =
+      R"(lower.material.thermal={conductivity=50, density=7800, specific_heat=470, expansion=12e-6})";
+  const std::string hot = R"(thermal={conductivity=2, density=2200, specific_heat=900, expansion=2e-6})";
+  const auto coated = [&](const std::string& more)
+  { return layers(R"([{thickness="1.925 mm", young_modulus="80 GPa", poisson_ratio=0.4, )" + more + "}]"); };
+  const std::string upper =
+      R"(upper.material.thermal={conductivity=50, density=7800, specific_heat=470, expansion=12e-6})";
+  const std::vector<std::string> rubs{"interface.friction=0.1", "tugging.speed=1", upper};
+  const auto with = [&](std::vector<std::string> lines)
+  {
+    lines.insert(lines.end(), rubs.begin(), rubs.end());
+    return lines;
+  };
+  const std::string no_work = "thermal.heat_of_plastic_work=0";
+  const Case c = sample::parsed(with({thermal, coated(hot), no_work}));
+  const constitutive::Material& material = sample::tugging(c).lower.material;
+  EXPECT_EQ(material.layers.front().thermal, (Thermal{2.0, 2200.0, 900.0, 2e-6}));
+  EXPECT_EQ(material.thermal_stack(),
+            (ThermalStack{{{1.925e-3, {2.0, 2200.0, 900.0, 2e-6}}}, {50.0, 7800.0, 470.0, 12e-6}}));
+  const Case again = parse_case(resolved_text(c.values), "resolved.toml", {});
+  EXPECT_EQ(sample::tugging(again).lower.material, material);
+
+  sample::expect_message(with({thermal, coated("thermal={conductivity=2}"), no_work}),
+                         "lower.material.layers[0].thermal.density is missing");
+  sample::expect_message(with({thermal, coated("thermal={conductivity=-2}"), no_work}),
+                         "lower.material.layers[0].thermal.conductivity = -2");
+  sample::expect_message(with({thermal, coated("hardening={law=\"none\"}"), no_work}),
+                         "lower.material.layers[0].thermal is missing: the lower body has thermal constants");
+  sample::expect_message({coated(hot)}, "lower.material.layers[0].thermal, but lower.material.thermal is missing");
+  sample::expect_message(with({thermal, coated(hot)}), "thermal.heat_of_plastic_work = 0.9 and lower.material.layers");
+  sample::expect_message(with({thermal, coated(hot), no_work, "thermal.regime=\"steady\"", "thermal.reference=1"}),
+                         "the steady heat of coated bodies is not computed");
+}
+
 TEST(LayersCase, ErrorsNameTheLayer)
 {
   sample::expect_message({layers(R"([{thickness="1.925 mm", poisson_ratio=0.2}])")},
