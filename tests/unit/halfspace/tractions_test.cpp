@@ -151,7 +151,7 @@ TEST_P(TractionsTest, PartsAddUpAndEmptyOnesAreZero)
     EXPECT_NEAR(whole.x[n], of_p.x[n] + of_x.x[n] + of_y.x[n], 1e-12);
     EXPECT_EQ(whole.y[n], alone[n]);
   }
-  const Fields none = displacement(compliance, {});
+  const Fields none = displacement(compliance, Fields{});
   EXPECT_EQ(none.x, Field(cells));
 }
 
