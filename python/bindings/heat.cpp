@@ -8,9 +8,12 @@
 #include "brinell/halfspace/thermal_field.hpp"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <optional>
+#include <tuple>
+#include <vector>
 
 using namespace nanobind::literals;
 
@@ -26,6 +29,25 @@ using halfspace::SteadyField;
 using halfspace::SurfaceTemperature;
 using halfspace::ThermalField;
 using halfspace::ThermalLayer;
+
+/// Thickness, Young's modulus, Poisson's ratio and thermal constants of layers, from the surface down.
+using HotLayers = std::vector<std::tuple<double, double, double, Thermal>>;
+
+ThermalStack thermal_stack(const HotLayers& layers, const Thermal& substrate)
+{
+  ThermalStack stack{{}, substrate};
+  for (const auto& [thickness, young_modulus, poisson_ratio, thermal] : layers)
+    stack.layers.push_back({thickness, thermal});
+  return stack;
+}
+
+ElasticStack elastic_stack(const HotLayers& layers, const Elastic& substrate)
+{
+  ElasticStack stack{{}, substrate};
+  for (const auto& [thickness, young_modulus, poisson_ratio, thermal] : layers)
+    stack.layers.push_back({thickness, {young_modulus, poisson_ratio}});
+  return stack;
+}
 
 Output temperature(const HeatResponse& response, const Input& flux)
 {
@@ -168,9 +190,10 @@ void bind_heat(nb::module_& m)
   nb::class_<HeatResponse>(m, "HeatResponse")
       .def(
           "__init__",
-          [](HeatResponse* self, const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion)
-          { without_lock([&] { return new (self) HeatResponse(grid, thermal, motion); }); },
-          "grid"_a, "thermal"_a, "motion"_a)
+          [](HeatResponse* self, const SurfaceGrid& grid, const Thermal& thermal, const HeatMotion& motion,
+             const HotLayers& layers)
+          { without_lock([&] { return new (self) HeatResponse(grid, thermal_stack(layers, thermal), motion); }); },
+          "grid"_a, "thermal"_a, "motion"_a, "layers"_a = HotLayers())
       .def("temperature", &temperature, "flux"_a);
   nb::class_<SurfaceTemperature>(m, "SurfaceTemperature")
       .def(
@@ -187,15 +210,18 @@ void bind_heat(nb::module_& m)
       .def(
           "__init__",
           [](ThermalField* self, const SurfaceGrid& grid, const Thermal& thermal,
-             const constitutive::Material& material, double shortest_step, double duration, std::vector<double> depths)
+             const constitutive::Material& material, double shortest_step, double duration, std::vector<double> depths,
+             const HotLayers& layers)
           {
             without_lock(
-                [&] {
+                [&]
+                {
                   return new (self)
-                      ThermalField(grid, thermal, material.elastic, {shortest_step, duration}, std::move(depths));
+                      ThermalField(grid, thermal_stack(layers, thermal), elastic_stack(layers, material.elastic),
+                                   {shortest_step, duration}, std::move(depths));
                 });
           },
-          "grid"_a, "thermal"_a, "material"_a, "shortest_step"_a, "duration"_a, "depths"_a)
+          "grid"_a, "thermal"_a, "material"_a, "shortest_step"_a, "duration"_a, "depths"_a, "layers"_a = HotLayers())
       .def_prop_ro("time", &ThermalField::time)
       .def(
           "add_step",

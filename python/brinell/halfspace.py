@@ -161,7 +161,7 @@ class Layer:
 
     Attributes:
         thickness: thickness of the layer [m].
-        material: its material; only the elastic constants are used.
+        material: its material; only the elastic constants are used, and in `brinell.heat` the thermal ones.
 
     Raises:
         InputError: the thickness is not above 0, or the material is rigid.

@@ -16,6 +16,12 @@ Thermal displacement and stress need the thermal expansion as well:
     u_z, stress = field.displacement(), field.stress()
     always = SteadyField(grid, steel, Material("210 GPa", 0.3), velocity=1.0, depths=[0.0, 2e-5])
     u_z, stress = always.displacement(flux), always.stress(flux)
+
+Layers on the body are those of `brinell.halfspace`, of materials with thermal constants; under a flux that has always
+been there they are not computed:
+
+    carbon = Material("150 GPa", 0.2, thermal=Thermal(conductivity=2, density=2200, specific_heat=900, expansion=2e-6))
+    coated = HeatResponse(grid, steel, duration=1e-5, velocity=1.0, layers=[Layer(5e-6, carbon)])
 """
 
 from __future__ import annotations
@@ -31,7 +37,7 @@ from brinell._arguments import explain_argument_errors
 from brinell._arrays import Array, contiguous, number
 from brinell._reprs import cells
 from brinell.errors import InputError
-from brinell.halfspace import SurfaceGrid, require_memory
+from brinell.halfspace import Layer, SurfaceGrid, require_memory
 from brinell.materials import Material, Thermal
 
 __all__ = ["HeatResponse", "SteadyField", "SurfaceTemperature", "ThermalField"]
@@ -57,6 +63,7 @@ class HeatResponse:
         *,
         duration: float | None = None,
         velocity: float | tuple[float, float] = 0.0,
+        layers: Sequence[Layer] = (),
     ):
         """Sets up the operator.
 
@@ -65,14 +72,19 @@ class HeatResponse:
             thermal: thermal constants of the body.
             duration: time for which the flux has acted [s]; None: infinite, the steady state.
             velocity: velocity of the flux over the body, along x, or along x and y [m/s].
+            layers: layers on the body, from the surface down, of materials with thermal constants; `thermal` is that of
+                the body beneath. They need a duration.
 
         Raises:
             InputError: a duration that is not above 0; a steady state that does not exist because heat accumulates
-                along a periodic axis; or a grid that needs more memory than the machine has.
+                along a periodic axis, or of a body with layers; a first layer thinner than a quarter of a cell; or a
+                grid that needs more memory than the machine has.
         """
         require_memory(grid.nx * grid.ny, _BYTES_OF_RESPONSE, "a surface")
         self.grid = grid
-        self._engine = _core.HeatResponse(grid._engine, thermal._engine, _motion(duration, velocity))
+        self._engine = _core.HeatResponse(
+            grid._engine, thermal._engine, _motion(duration, velocity), _constants(layers)
+        )
 
     def __repr__(self) -> str:
         return f"<HeatResponse {cells(self.grid.shape)}>"
@@ -166,6 +178,7 @@ class ThermalField:
         shortest_step: float,
         duration: float,
         depths: Sequence[float] = (),
+        layers: Sequence[Layer] = (),
     ):
         """Sets up the history of a body without initial temperature rise.
 
@@ -175,7 +188,10 @@ class ThermalField:
             material: material of the body; only its elastic constants are used.
             shortest_step: lower bound of the durations of all steps [s].
             duration: upper bound of the total time of all steps [s].
-            depths: depths at which temperature and stress are computed [m]; 0 is the surface.
+            depths: depths at which temperature and stress are computed [m]; 0 is the surface. An interface belongs to
+                what is beneath.
+            layers: layers on the body, from the surface down, of materials with thermal constants; `thermal` and
+                `material` are those of the body beneath.
 
         Raises:
             InputError: times that are not above 0, a duration below the shortest step, a negative depth, a rigid body,
@@ -193,6 +209,7 @@ class ThermalField:
             number(shortest_step, "shortest_step"),
             number(duration, "duration"),
             list(self.depths),
+            _constants(layers),
         )
 
     def __repr__(self) -> str:
@@ -312,6 +329,15 @@ class SteadyField:
     def stress(self, flux: ArrayLike) -> Array:
         """Stress at the depths, (6, len(depths), ny, nx) [Pa], at the cell centres; flux: (ny, nx) [W/m^2]."""
         return self._engine.stress(contiguous(flux, "flux"))
+
+
+def _constants(layers: Sequence[Layer]) -> list[tuple[float, float, float, _core.Thermal]]:
+    constants = []
+    for n, layer in enumerate(layers):
+        if layer.material.thermal is None:
+            raise InputError(f"the material of layer {n} has no thermal constants; allowed: Material(..., thermal=...)")
+        constants.append((*layer._constants, layer.material.thermal._engine))
+    return constants
 
 
 def _motion(duration: float | None, velocity: float | tuple[float, float]) -> _core.HeatMotion:

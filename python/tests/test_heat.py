@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import brinell
-from brinell.halfspace import SurfaceGrid
+from brinell.halfspace import Layer, SurfaceGrid
 from brinell.heat import HeatResponse, SteadyField, SurfaceTemperature, ThermalField
 from brinell.materials import Material, Thermal
 
@@ -52,6 +52,40 @@ def test_plane_that_is_heated() -> None:
     assert rise[0] == pytest.approx(surface, rel=1e-4)
     assert stress[0] == pytest.approx(-210e9 * 12e-6 / 0.7 * rise, rel=1e-9)
     assert np.abs(stress[2:]).max() < 1e-9 * np.abs(stress[0]).max()
+
+
+def test_layers_conduct() -> None:
+    """A layer keeps its own temperature at first; layers of the body's constants are the body."""
+    grid = SurfaceGrid(24, 20, 1e-5, 1e-5)
+    flux = 1e7 * np.exp(-(grid.x**2 + grid.y**2) / (4e-5) ** 2)
+    carbon = Thermal(conductivity=2.0, density=2200.0, specific_heat=900.0, expansion=2e-6)
+    film = Layer(2e-5, Material("150 GPa", 0.2, thermal=carbon))
+    brief = (0.1 * 2e-5) ** 2 / carbon.diffusivity
+    coated = HeatResponse(grid, STEEL, duration=brief, layers=[film]).temperature(flux)
+    alone = HeatResponse(grid, carbon, duration=brief).temperature(flux)
+    assert np.abs(coated - alone).max() < 1e-9 * alone.max()
+    long = 1e4 * brief
+    bodies: list[tuple[Thermal, list[Layer]]] = [(STEEL, []), (STEEL, [film]), (carbon, [])]
+    rise = [HeatResponse(grid, body, duration=long, layers=on).temperature(flux).max() for body, on in bodies]
+    assert rise[0] < rise[1] < rise[2]
+
+    steel = Layer(2e-5, Material("210 GPa", 0.3, thermal=STEEL))
+    fields = [
+        ThermalField(grid, STEEL, ELASTIC, shortest_step=1e-5, duration=1e-4, depths=[5e-6, 3e-5], layers=layers)
+        for layers in ([], [steel])
+    ]
+    for field in fields:
+        field.step(flux, 1e-5, velocity=1.0)
+    bare, layered = fields
+    assert np.abs(layered.displacement() - bare.displacement()).max() < 1e-4 * np.abs(bare.displacement()).max()
+    assert np.abs(layered.temperature() - bare.temperature()).max() < 1e-4 * bare.temperature().max()
+
+    with pytest.raises(brinell.InputError, match="layer 0 has no thermal constants"):
+        HeatResponse(grid, STEEL, duration=1e-5, layers=[Layer(2e-5, ELASTIC)])
+    with pytest.raises(brinell.InputError, match="heated for ever"):
+        HeatResponse(grid, STEEL, layers=[film])
+    with pytest.raises(brinell.InputError, match="1e-06 m thick on cells of 1e-05 m"):
+        HeatResponse(grid, STEEL, duration=1e-5, layers=[Layer(1e-6, film.material)])
 
 
 def test_a_source_that_has_always_moved() -> None:

@@ -45,19 +45,20 @@ constexpr double step_of_wavenumbers = 0.15; ///< of ln k
 
 /// From values at the times to the weights of the sum of waves that fits them: least squares of sqrt(t) times the values, with weights
 /// that are kept from growing without effect.
-/// @param first  time from which on the values count by sqrt(t); before, they count less, or not at all if it is not 0
+/// @param resolved  number of the time from which on the values count by sqrt(t); before, they count less or not at all
+/// @param early     whether they count before
+/// @returns a column for each time, and one for the integral of the values up to the time `resolved`, for what begins at once
 Matrix fitted_sums(double diffusivity, const std::vector<DepthWave>& waves, const std::vector<double>& times,
-                   std::size_t first)
+                   std::size_t resolved, bool early)
 {
-  constexpr double kept_small = 1e-7;
-  const auto rows = static_cast<int>(times.size()), columns = static_cast<int>(waves.size());
-  const double resolved = 8.0 / (diffusivity * waves.front().number * waves.front().number);
+  constexpr double kept_small = 1e-7, of_integral = 3.0;
+  const auto count = static_cast<int>(times.size()), rows = count + 1, columns = static_cast<int>(waves.size());
   const auto scale = [&](int l) { return waves[static_cast<std::size_t>(std::min(l, columns - 2))].number; };
   Matrix sums(rows + columns, columns), unit(rows + columns, rows);
-  for (int t = static_cast<int>(first); t < rows; ++t)
+  for (int t = early ? 0 : static_cast<int>(resolved); t < count; ++t)
   {
     const double time = times[static_cast<std::size_t>(t)], spread = diffusivity * time;
-    const double weight = std::sqrt(spread) * std::min(1.0, std::sqrt(time / resolved));
+    const double weight = std::sqrt(spread) * std::min(1.0, std::sqrt(time / times[resolved]));
     unit(t, t) = weight;
     for (int l = 0; l < columns; ++l)
     {
@@ -66,7 +67,14 @@ Matrix fitted_sums(double diffusivity, const std::vector<DepthWave>& waves, cons
     }
   }
   for (int l = 0; l < columns; ++l)
+  {
+    const double number = waves[static_cast<std::size_t>(l)].number, decay = diffusivity * number * number;
+    const double weight = of_integral * std::sqrt(diffusivity / times[resolved]);
+    unit(count, count) = weight;
+    sums(count, l) =
+        scale(l) * weight * (decay > 0.0 ? -std::expm1(-decay * times[resolved]) / decay : times[resolved]);
     sums(rows + l, l) = kept_small;
+  }
   Matrix result = least_squares(sums, unit);
   for (int l = 0; l < columns; ++l)
     for (int t = 0; t < rows; ++t)
@@ -90,11 +98,14 @@ HeatCoat::HeatCoat(ThermalStack thermal, std::optional<ElasticStack> elastic, co
   for (double time = resolved; time > 3e-3 * resolved; time *= std::exp(-waves.step))
     times_.push_back(time);
   std::reverse(times_.begin(), times_.end());
-  const std::size_t early = times_.size() - 1;
+  resolved_ = times_.size() - 1;
   for (double time = resolved * std::exp(waves.step); time < last; time *= std::exp(waves.step))
     times_.push_back(time);
-  from_times_ = fitted_sums(diffusivity, waves.waves, times_, 0);
-  from_late_times_ = fitted_sums(diffusivity, waves.waves, times_, early);
+  from_times_ = fitted_sums(diffusivity, waves.waves, times_, resolved_, true);
+  from_late_times_ = fitted_sums(diffusivity, waves.waves, times_, resolved_, false);
+  // Heat has not come so deep at the time from which on the waves tell times: e^{-14}.
+  constexpr double late = 7.5;
+  deep_ = late * std::sqrt(thermal_.fastest().diffusivity() * resolved);
   tables_.reserve(parts_of_surface + parts_of_depth * wanted_.depths.size()); // so that tables are never moved
   fit(0, 0);
 }
@@ -146,7 +157,8 @@ struct HeatCoat::Fit
     for (std::size_t d = first_depth; d < first_depth + count; ++d)
       expansion->add_depth(coat.layer_at(coat.wanted_.depths[d]), coat.wanted_.depths[d]);
     const std::size_t parts = has_surface ? parts_of_surface : count * parts_of_depth;
-    Matrix result(static_cast<int>(coat.times_.size()), static_cast<int>(parts));
+    Matrix result(static_cast<int>(coat.times_.size()) + 1, static_cast<int>(parts));
+    const auto integral = static_cast<int>(coat.times_.size());
     std::vector<green::StackExpansion::Stress> stresses;
     green::StackExpansion::Displacement moved{};
     for (std::size_t t = 0; t < coat.times_.size(); ++t)
@@ -157,7 +169,11 @@ struct HeatCoat::Fit
         if (expansion)
           expansion->find(heat, stresses, moved);
         const auto add = [&](std::size_t part, const Complex& value)
-        { result(static_cast<int>(t), static_cast<int>(part)) += (weight * value).real(); };
+        {
+          result(static_cast<int>(t), static_cast<int>(part)) += (weight * value).real();
+          if (t == coat.resolved_)
+            result(integral, static_cast<int>(part)) += (weight * value / rate).real();
+        };
         if (has_surface)
         {
           add(0, coat.is_excess() ? heat.excess_at_surface()
@@ -190,8 +206,14 @@ void HeatCoat::fit(std::size_t first_depth, std::size_t count) const
     const Matrix values = Fit{*this, wavenumber(node), path, first_depth, count}.values();
     std::vector<double> weights(waves_ * parts);
     assign_product(from_times_, values, weights.data());
-    if (count == 0 && !is_excess()) // the temperature of the surface begins with infinity
+    // The temperature of the surface begins with infinity, and near the surface soon.
+    if (count == 0 && !is_excess())
       assign_product(from_late_times_, MatrixView(values, values.rows(), 1), weights.data());
+    for (std::size_t d = 0; d < count; ++d)
+      if (wanted_.depths[first_depth + d] < deep_)
+        assign_product(from_late_times_,
+                       MatrixView(values.column(static_cast<int>(d * parts_of_depth)), values.rows(), parts_of_depth),
+                       weights.data() + d * parts_of_depth * waves_);
     for (std::size_t part = 0; part < parts; ++part)
       std::copy_n(weights.begin() + static_cast<std::ptrdiff_t>(part * waves_), waves_,
                   tables_[first + part].begin() + static_cast<std::ptrdiff_t>(node * waves_));

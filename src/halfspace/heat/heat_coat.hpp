@@ -88,6 +88,8 @@ private:
   std::vector<double> times_; ///< at which the sums are fitted [s]
   /// From values at the times to weights: of all times, and of those that the waves resolve.
   Matrix from_times_, from_late_times_;
+  std::size_t resolved_ = 0;                        ///< number of the time from which on the waves tell times
+  double deep_ = 0.0;                               ///< depth from which on nothing is felt before [m]
   mutable std::vector<std::vector<double>> tables_; ///< [part][node][wave]
   mutable std::size_t depths_done_ = 0;
   mutable std::mutex mutex_;

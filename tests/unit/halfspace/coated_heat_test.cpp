@@ -106,12 +106,12 @@ TEST_P(Coated, TemperatureOfASpot)
     {
       const ThermalStack stack = stack_of(GetParam().film, thickness, GetParam().base);
       const double time = std::pow(spread * cell, 2) / (4.0 * stack.top().diffusivity());
-      const std::vector<double> depths{0.25 * thickness, thickness + 2.0 * cell};
+      const std::vector<double> depths{0.25 * thickness, thickness + 2.0 * cell, 0.0};
       ThermalField field(spot.grid, stack, elastic_of(thickness), {time, 3.0 * time}, depths);
       field.add_step(spot.flux(), {time});
-      Field later(spot.grid.size()), upper(spot.grid.size()), lower(spot.grid.size());
+      Field later(spot.grid.size()), upper(spot.grid.size()), lower(spot.grid.size()), surface(spot.grid.size());
       field.remaining_temperature(time, later);
-      const std::vector<ThermalLayer> layers{{upper, {}, {}}, {lower, {}, {}}};
+      const std::vector<ThermalLayer> layers{{upper, {}, {}}, {lower, {}, {}}, {surface, {}, {}}};
       field.layers(0, layers);
       Field excess = rise_of(HeatResponse(spot.grid, stack, {time}));
       const Field of_film = rise_of(HeatResponse(spot.grid, stack.top(), {time}));
@@ -134,11 +134,13 @@ TEST_P(Coated, TemperatureOfASpot)
                    });
       const auto in_depth = [&](double depth)
       { return [&, depth](double r) { return spot.at(r, [&](double k) { return after(k, time, depth); }); }; };
-      const double in_film = error_of(upper, in_depth(depths[0])), beneath = error_of(lower, in_depth(depths[1]));
-      std::printf("%s, %.2f cells thick, spread over %.1f: excess %.0e, later %.0e, in the film %.0e, beneath %.0e\n",
+      const double in_film = error_of(upper, in_depth(depths[0])), beneath = error_of(lower, in_depth(depths[1])),
+                   at_surface = error_of(surface, in_depth(0.0));
+      std::printf("%s, %.2f cells thick, spread over %.1f: excess %.0e, later %.0e, in the film %.0e, beneath %.0e, at "
+                  "the surface %.0e\n",
                   GetParam().name, thickness / cell, spread, first / highest, second / highest, in_film / highest,
-                  beneath / highest);
-      for (const double error : {second, in_film, beneath})
+                  beneath / highest, at_surface / highest);
+      for (const double error : {second, in_film, beneath, at_surface})
         EXPECT_LT(error, 3e-4 * highest);
       // Of a quarter of a cell, e^{-2 k h} of the shortest waves of a third of a cell is 1 %.
       EXPECT_LT(first, (thickness < 0.5 * cell ? 2e-3 : 3e-4) * highest);
