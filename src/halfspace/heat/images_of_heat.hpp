@@ -5,6 +5,7 @@
 #include "halfspace/transform/depth_waves.hpp"
 #include "heat_coat.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -55,6 +56,13 @@ struct WantedOfHeat
 /// @throws InputError if a constant, a thickness or a time is not above 0
 [[nodiscard]] DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Thermal& thermal,
                                        const HeatTimes& times, const WantedOfHeat& wanted);
+
+/// Chebyshev points in each layer, between which fields of images are interpolated [m].
+[[nodiscard]] std::vector<double> nodes_of_images(const WantedOfHeat& wanted);
+
+/// Weights of a coated body for all wavelengths of its lattices; nullptr: a homogeneous body.
+[[nodiscard]] std::shared_ptr<const HeatCoat> planned_coat(const SurfaceGrid& grid, const WantedOfHeat& wanted,
+                                                           const DepthWaves& waves, const ImagesOfHeat& images);
 
 /// Memory of an OpenHeatMemory [bytes].
 /// @param goes_back  with the state before a step, to take the step back

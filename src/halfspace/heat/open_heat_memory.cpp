@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace brinell::halfspace
@@ -67,52 +66,6 @@ std::shared_ptr<const LayeredConduction> planned_layers(const HeatedLayers& heat
   const double spread = reach_of_heat * std::sqrt(4.0 * thermal.diffusivity() * times.duration);
   return std::make_shared<const LayeredConduction>(heated.count, heated.thickness,
                                                    (heated.count + 1) * heated.thickness + spread);
-}
-
-/// Chebyshev points in each layer, between which fields of images are interpolated. Images are at least as far away as the grid is
-/// wide. For layers down to that depth, seven points have an error of 1e-4 of the fields of the images; five points, about 1e-3.
-std::vector<double> nodes_of_images(const WantedOfHeat& wanted)
-{
-  const int points = wanted.images == HeatImages::coarse ? 5 : 7;
-  constexpr int points_of_thin = 3;
-  constexpr double thin = 0.1; // of the depth
-  std::vector<double> nodes;
-  const auto add = [&](double top, double bottom)
-  {
-    const int count = bottom - top < thin * wanted.deepest ? points_of_thin : points;
-    for (int n = 0; n < count; ++n)
-      nodes.push_back(top + 0.5 * (bottom - top) * (1.0 - std::cos(std::numbers::pi * (n + 0.5) / count)));
-  };
-  double top = 0.0;
-  for (std::size_t n = 0; wanted.coat && n < wanted.coat->thermal.layers.size() && top < wanted.deepest; ++n)
-  {
-    const double bottom = std::min(wanted.deepest, top + wanted.coat->thermal.layers[n].thickness);
-    add(top, bottom);
-    top = bottom;
-  }
-  if (top < wanted.deepest)
-    add(top, wanted.deepest);
-  return nodes;
-}
-
-/// Weights for all wavelengths of the lattices.
-std::shared_ptr<const HeatCoat> planned_coat(const SurfaceGrid& grid, const WantedOfHeat& wanted,
-                                             const DepthWaves& waves, const ImagesOfHeat& images)
-{
-  if (!wanted.coat)
-    return nullptr;
-  const CoatOfBody& body = *wanted.coat;
-  std::vector<double> depths;
-  if (images.nearest < images.end && wanted.deepest > 0.0)
-    depths = nodes_of_images(wanted);
-  depths.insert(depths.end(), body.depths.begin(), body.depths.end());
-  double longest = std::max(images.period_x * grid.dx, images.period_y * grid.dy);
-  for (double distance = images.nearest; distance < images.end; distance *= 2.0)
-    longest *= 2.0;
-  return std::make_shared<const HeatCoat>(body.thermal, body.elastic, waves,
-                                          HeatCoat::Wanted{2.0 * longest,
-                                                           2.0 / std::hypot(1.0 / grid.dx, 1.0 / grid.dy),
-                                                           grid.is_periodic(), body.surface, std::move(depths)});
 }
 
 } // namespace
