@@ -69,7 +69,7 @@ test-mpi: .venv/.setup-done .venv/.extras-done build/release/build.ninja
 	exit $$status
 
 # The library for GPUs: compiled without one; tests that need one say so and are skipped. A build tree of its own, so that nothing else
-# is configured anew; no other part of the engine is compiled in it.
+# is configured anew. The program of this tree computes cases on a GPU.
 test-cuda: build/.setup-packages
 	@tools/setup.sh cuda
 	cmake --preset release -B build/cuda-release -D BRINELL_CUDA=ON -D BRINELL_BENCHMARKS=OFF -D BRINELL_WERROR=ON >/dev/null

@@ -4,6 +4,7 @@
 #include "cuda/cuda_executor.cuh"
 #include "cuda/device.hpp"
 #include "device/body_on_executor.hpp"
+#include "device/elastic_contact.hpp"
 
 namespace brinell::cuda
 {
@@ -21,6 +22,12 @@ public:
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const override
   {
     return std::make_unique<device::BodyOnExecutor<CudaExecutor>>(grid, material, with_shears, executor_);
+  }
+
+  [[nodiscard]] std::unique_ptr<contact::ContactOnDevice>
+  make_contact(const SurfaceGrid& grid, const halfspace::SurfaceCompliance::NormalSpectra& spectra) const override
+  {
+    return std::make_unique<device::ContactOnExecutor<CudaExecutor>>(grid, spectra, executor_);
   }
 
 private:

@@ -224,6 +224,8 @@ Report ElasticContact::iterate(const Problem& problem, std::span<double> pressur
   const auto& [distance, drive, tolerance, max_iterations, wants_stop] = problem;
   const bool load_given = drive.kind == Drive::Kind::load;
   guess(distance, drive, tolerance, pressure, wants_stop);
+  if (device_ && layer_.empty())
+    return device_->solve(distance, drive, tolerance, max_iterations, pressure, gap, wants_stop);
   start(distance, drive, pressure);
   std::fill(direction_.begin(), direction_.end(), 0.0);
   const auto is_good = [most = tolerance](const Report& r)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -175,7 +176,8 @@ public:
   /// Arguments and result as those of contact::ElasticContact::solve, in memory of the processor.
   /// @throws InternalError for a mean gap, and for fields of another size
   [[nodiscard]] contact::Report solve(std::span<const double> distance, const contact::Drive& drive, double tolerance,
-                                      int max_iterations, std::span<double> pressure, std::span<double> gap)
+                                      int max_iterations, std::span<double> pressure, std::span<double> gap,
+                                      const std::function<bool()>& wants_stop = {})
   {
     if (drive.kind == contact::Drive::Kind::mean_gap ||
         (drive.kind == contact::Drive::Kind::load && !(drive.value > 0.0)))
@@ -185,7 +187,7 @@ public:
     executor_->write(distance, distance_);
     start(distance, drive, pressure);
     executor_->run("no direction", cells(), SetZero{direction_.data()});
-    const contact::Report report = iterate(distance, drive, tolerance, max_iterations, pressure);
+    const contact::Report report = iterate({distance, drive, tolerance, max_iterations, wants_stop}, pressure);
     executor_->read(pressure_, pressure);
     executor_->read(gap_, gap);
     return report;
@@ -246,17 +248,27 @@ private:
     return curvature > 0.0 ? descent.along / curvature : 0.0;
   }
 
-  [[nodiscard]] contact::Report iterate(std::span<const double> distance, const contact::Drive& drive, double tolerance,
-                                        int max_iterations, std::span<double> pressure)
+  struct Problem
   {
+    std::span<const double> distance;
+    const contact::Drive& drive;
+    double tolerance;
+    int max_iterations;
+    const std::function<bool()>& wants_stop;
+  };
+  [[nodiscard]] contact::Report iterate(const Problem& problem, std::span<double> pressure)
+  {
+    const auto& [distance, drive, tolerance, max_iterations, wants_stop] = problem;
     const bool load_given = drive.kind == contact::Drive::Kind::load;
-    const auto is_good = [&](const contact::Report& r)
-    { return r.gap_error <= tolerance && r.penetration <= tolerance && std::isfinite(r.approach); };
-    constexpr int many = 32; // as in contact::ElasticContact
+    const auto is_good = [most = tolerance](const contact::Report& r)
+    { return r.gap_error <= most && r.penetration <= most && std::isfinite(r.approach); };
+    constexpr int many = 32, few = 8; // as in contact::ElasticContact
     int followed = many, products = 0;
     double slope = 0.0;
     for (int iteration = 0;; ++iteration)
     {
+      if (wants_stop && iteration % few == 0 && wants_stop())
+        throw Interrupted();
       const bool is_last = iteration == max_iterations;
       bool is_exact = followed >= many || is_last;
       contact::Report report;
@@ -302,6 +314,27 @@ private:
   Sums<Executor, contact::Slopes> of_slopes_;
   Sums<Executor, contact::StepSums> of_steps_;
   Sums<Executor, double> of_products_;
+};
+
+/// The contact as a part of a run.
+template <typename Executor>
+class ContactOnExecutor : public contact::ContactOnDevice
+{
+public:
+  ContactOnExecutor(const SurfaceGrid& grid, const halfspace::SurfaceCompliance::NormalSpectra& spectra,
+                    const Executor& executor)
+      : contact_(grid, spectra, executor)
+  {
+  }
+  [[nodiscard]] contact::Report solve(std::span<const double> distance, const contact::Drive& drive, double tolerance,
+                                      int max_iterations, std::span<double> pressure, std::span<double> gap,
+                                      const std::function<bool()>& wants_stop) override
+  {
+    return contact_.solve(distance, drive, tolerance, max_iterations, pressure, gap, wants_stop);
+  }
+
+private:
+  ElasticContact<Executor> contact_;
 };
 
 } // namespace brinell::device

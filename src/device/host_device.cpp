@@ -2,6 +2,7 @@
 #include "host_device.hpp"
 
 #include "body_on_executor.hpp"
+#include "elastic_contact.hpp"
 #include "host_executor.hpp"
 
 namespace brinell::device
@@ -18,6 +19,12 @@ public:
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const override
   {
     return std::make_unique<BodyOnExecutor<HostExecutor>>(grid, material, with_shears, executor_);
+  }
+
+  [[nodiscard]] std::unique_ptr<contact::ContactOnDevice>
+  make_contact(const SurfaceGrid& grid, const halfspace::SurfaceCompliance::NormalSpectra& spectra) const override
+  {
+    return std::make_unique<ContactOnExecutor<HostExecutor>>(grid, spectra, executor_);
   }
 
 private:

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "memory.hpp"
 
+#include "contact/cell_terms.hpp"
 #include "foundation/fft.hpp"
 #include "half_space.hpp"
 #include "halfspace/strain/image_correction.hpp"
+#include "halfspace/transform/kernel_places.hpp"
 #include "history.hpp"
 #include "sums.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace brinell::device
 {
@@ -60,6 +63,25 @@ double trial_bytes(const VolumeGrid& grid, const BodyOfMemory& body)
 }
 
 } // namespace
+
+MemoryOfBody memory_of_contact(const SurfaceGrid& grid)
+{
+  constexpr double fields = 6.0; // ContactFields
+  const PaddedLengths padded = padded_lengths(grid.whole());
+  const SurfaceGrid larger = halfspace::with_fast_lengths(grid.whole());
+  const auto cells = static_cast<double>(grid.size());
+  const double pieces = static_cast<double>(std::min(grid.size(), first_pieces_of_sums)) + last_pieces_of_sums;
+  MemoryOfBody memory{of_number * fields * cells +
+                      pieces * (sizeof(contact::PressedSum) + sizeof(contact::Errors) + sizeof(contact::Slopes) +
+                                sizeof(contact::StepSums) + sizeof(double))};
+  for (const auto& [px, py] : {std::pair{padded.x, padded.y}, {larger.nx, larger.ny}})
+  {
+    const SurfaceWaves waves{px, py, grid.dx, grid.dy};
+    memory.arrays += of_number * static_cast<double>(waves.stored()) + of_complex * static_cast<double>(waves.size());
+    memory.buffers += 2.0 * of_complex * static_cast<double>(waves.size());
+  }
+  return memory;
+}
 
 MemoryOfBody memory_of_body(const VolumeGrid& grid, const BodyOfMemory& body)
 {

@@ -17,13 +17,14 @@ struct BodyOfMemory
   int history = 0;           ///< differences that the acceleration keeps
 };
 
-/// Memory of a body [bytes].
+/// Memory of a body, or of the contact [bytes].
 struct MemoryOfBody
 {
-  double arrays = 0.0;  ///< as BodyOnExecutor allocates them
+  double arrays = 0.0;  ///< as BodyOnExecutor or ContactOnExecutor allocates them
   double buffers = 0.0; ///< of cuFFT beside them: up to a spectrum for each direction
 };
 
+[[nodiscard]] MemoryOfBody memory_of_contact(const SurfaceGrid& grid);
 [[nodiscard]] MemoryOfBody memory_of_body(const VolumeGrid& grid, const BodyOfMemory& body);
 
 } // namespace brinell::device

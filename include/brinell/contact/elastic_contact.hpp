@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// Frictionless, non-adhesive contact of two surfaces: pressure and gap from the distance of the undeformed surfaces.
@@ -38,6 +39,18 @@ struct Report
 };
 
 class CoarserContact;
+
+/// The iteration of a contact elsewhere than on this processor, for a load above 0 or an approach.
+class ContactOnDevice
+{
+public:
+  virtual ~ContactOnDevice() = default;
+
+  /// Arguments and result as those of ElasticContact::solve.
+  [[nodiscard]] virtual Report solve(std::span<const double> distance, const Drive& drive, double tolerance,
+                                     int max_iterations, std::span<double> pressure, std::span<double> gap,
+                                     const std::function<bool()>& wants_stop) = 0;
+};
 
 /// Contact by the constrained conjugate gradient method (after Polonsky, Keer 1999) with a preconditioner.
 ///
@@ -76,6 +89,9 @@ public:
                              std::span<double> pressure, std::span<double> gap,
                              const std::function<bool()>& wants_stop = {}, std::span<const double> layer = {});
 
+  /// Has a device iterate from now on, but for contacts with a layer and for the guess on larger cells.
+  void iterate_on(std::unique_ptr<ContactOnDevice> device) { device_ = std::move(device); }
+
 private:
   /// The problem after a mean gap has been replaced: its drive is a load or an approach.
   struct Problem
@@ -113,6 +129,7 @@ private:
   std::vector<double> displacement_;        ///< of the pressure [m]
   std::span<const double> layer_;           ///< of the current solution
   std::unique_ptr<CoarserContact> coarser_; ///< created when it is first needed
+  std::unique_ptr<ContactOnDevice> device_; ///< nullptr: this processor
 };
 
 } // namespace brinell::contact

@@ -3,9 +3,11 @@
 
 #include "brinell/constitutive/flow.hpp"
 #include "brinell/constitutive/material.hpp"
+#include "brinell/contact/elastic_contact.hpp"
 #include "brinell/elastoplastic/active_cells.hpp"
 #include "brinell/elastoplastic/anderson.hpp"
 #include "brinell/foundation/grid.hpp"
+#include "brinell/halfspace/surface_compliance.hpp"
 #include "brinell/halfspace/surface_load.hpp"
 
 #include <array>
@@ -91,6 +93,8 @@ public:
   /// @param with_shears  whether there are loads by shear, or displacements along the surface
   [[nodiscard]] virtual std::unique_ptr<BodyOnDevice>
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<contact::ContactOnDevice>
+  make_contact(const SurfaceGrid& grid, const halfspace::SurfaceCompliance::NormalSpectra& spectra) const = 0;
 };
 
 /// Why a body of this material cannot be on a device; empty if it can. A body that stays elastic needs none.

@@ -98,6 +98,8 @@ CoupledContact::CoupledContact(const SurfaceGrid& contact, const VolumeGrid& low
   c.effects =
       make_effects(sliding.effects, c.compliance, lower, upper,
                    contact_modulus(lower_material.top(), upper_material.top()), {&lower_material, &upper_material});
+  if (device && (lower_material.is_plastic() || upper_material.is_plastic()))
+    c.contact.iterate_on(device->make_contact(contact, c.compliance.normal_spectra()));
   const auto half_space = operators(lower, lower_material, ranks);
   const BodySettings of_body{.shortcuts = settings.shortcuts,
                              .displacements = displacements_under(c.interface.get()),

@@ -63,7 +63,8 @@ std::optional<DeviceMemory> memory_on_device(const Plan& plan, const PairCase& c
     return std::nullopt;
   if (!c.lower.material.is_plastic() && !c.upper.material.is_plastic())
     return std::nullopt;
-  DeviceMemory memory;
+  const device::MemoryOfBody of_contact = device::memory_of_contact(plan.contact);
+  DeviceMemory memory{of_contact.arrays, of_contact.buffers};
   for (const auto& [grid, material] : {std::pair{&plan.lower, &c.lower.material}, {&plan.upper, &c.upper.material}})
   {
     if (!material->is_plastic() || (grid == &plan.upper && plan.twin != elastoplastic::Twin::none))

@@ -3,6 +3,7 @@
 
 #include "brinell/elastoplastic/increment.hpp"
 #include "device/body_on_executor.hpp"
+#include "device/elastic_contact.hpp"
 #include "device/host_executor.hpp"
 
 #include <algorithm>
@@ -94,6 +95,12 @@ public:
     return std::make_unique<BodyOnExecutor<CountingExecutor>>(grid, material, with_shears, executor_);
   }
 
+  [[nodiscard]] std::unique_ptr<contact::ContactOnDevice>
+  make_contact(const SurfaceGrid& grid, const halfspace::SurfaceCompliance::NormalSpectra& spectra) const override
+  {
+    return std::make_unique<ContactOnExecutor<CountingExecutor>>(grid, spectra, executor_);
+  }
+
 private:
   CountingExecutor executor_;
 };
@@ -142,6 +149,18 @@ TEST(MemoryOnDevice, OfLongGridsIsNearlyExact)
   EXPECT_GE(memory_of_body(grid, {}).arrays, 0.95 * counted);
 }
 
+TEST(MemoryOnDevice, OfAContactIsExact)
+{
+  for (const VolumeGrid& grid :
+       {grid_of(Boundary::periodic, 24, 18), grid_of(Boundary::open, 25, 14), grid_of(Boundary::open, 21, 20, true)})
+  {
+    const halfspace::SurfaceCompliance compliance(grid.surface, 1e11);
+    const double before = count().now;
+    const auto contact = CountingDevice().make_contact(grid.surface, compliance.normal_spectra());
+    EXPECT_DOUBLE_EQ(count().now - before, memory_of_contact(grid.surface).arrays);
+  }
+}
+
 /// A sphere pressed into a flat, in which cells become active one by one.
 TEST(MemoryOnDevice, OfAnIncrementIsAtMostThatTold)
 {
@@ -159,9 +178,10 @@ TEST(MemoryOnDevice, OfAnIncrementIsAtMostThatTold)
   ASSERT_TRUE(pair.advance(distance, {}, {}, {}).converged);
   const std::size_t active = pair.lower().solved().active_of_all();
   EXPECT_GT(active, grid.size() / 50);
-  const double counted = count().most - before,
-               told = memory_of_body(grid, {.active_cells = static_cast<double>(active), .history = 6}).arrays,
-               at_rest = memory_of_body(grid, {}).arrays;
+  const double counted = count().most - before, of_contact = memory_of_contact(grid.surface).arrays,
+               at_rest = of_contact + memory_of_body(grid, {}).arrays,
+               told = of_contact +
+                      memory_of_body(grid, {.active_cells = static_cast<double>(active), .history = 6}).arrays;
   EXPECT_GT(counted, at_rest);
   EXPECT_LE(counted, told);
   EXPECT_GE(counted - at_rest, 0.3 * (told - at_rest)); // arrays grow by halves, and not all at once
