@@ -2,6 +2,9 @@
 #include "foundation/matrix.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <omp.h>
+#include <utility>
 
 namespace brinell
 {
@@ -75,6 +78,28 @@ Eigensystem eigensystem_of_tridiagonal(std::span<const double> diagonal, std::sp
   modes.computeFromTridiagonal(Eigen::VectorXd(eigen_map(diagonal)), Eigen::VectorXd(eigen_map(beside)));
   const Eigen::VectorXd& values = modes.eigenvalues();
   return {{values.begin(), values.end()}, copy_of(modes.eigenvectors())};
+}
+
+Factorised::Factorised(Matrix a) : factors_(std::move(a))
+{
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1); // of this thread: the sums of Eigen's products depend on the number
+  Eigen::Map<Eigen::MatrixXd> values(factors_.column(0), factors_.rows(), factors_.columns());
+  const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> lu(values); // in place
+  omp_set_num_threads(threads);
+  const auto& order = lu.permutationP().indices();
+  place_.assign(order.begin(), order.end());
+}
+
+void Factorised::solve(std::span<double> b) const
+{
+  const Eigen::Map<const Eigen::MatrixXd> values(factors_.column(0), factors_.rows(), factors_.columns());
+  Eigen::VectorXd x(factors_.rows());
+  for (std::size_t row = 0; row < place_.size(); ++row)
+    x[place_[row]] = b[row];
+  values.triangularView<Eigen::UnitLower>().solveInPlace(x);
+  values.triangularView<Eigen::Upper>().solveInPlace(x);
+  std::copy(x.begin(), x.end(), b.begin());
 }
 
 } // namespace brinell

@@ -80,4 +80,17 @@ struct Eigensystem
 /// Of a symmetric matrix that is zero but on its diagonal and beside it.
 [[nodiscard]] Eigensystem eigensystem_of_tridiagonal(std::span<const double> diagonal, std::span<const double> beside);
 
+/// Factors of a square matrix for many right sides, P A = L U with partial pivoting; the same for any number of threads.
+class Factorised
+{
+public:
+  explicit Factorised(Matrix a);
+  /// Replaces b by the solution x of A x = b.
+  void solve(std::span<double> b) const;
+
+private:
+  Matrix factors_;
+  std::vector<int> place_; ///< of each row among the factors
+};
+
 } // namespace brinell

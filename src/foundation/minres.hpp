@@ -21,7 +21,7 @@ struct MinresReport
 /// has no part that A cannot reach.
 /// @param apply      apply(x, y) sets y = A x
 /// @param dot        dot(a, b), the scalar product in which A is symmetric
-/// @param x          guess, and result
+/// @param x          guess, and result; zero costs no product
 /// @param tolerance  of the residual relative to b
 template <typename Apply, typename Dot>
 MinresReport minres(const Apply& apply, const Dot& dot, std::span<const double> b, std::span<double> x,
@@ -37,7 +37,8 @@ MinresReport minres(const Apply& apply, const Dot& dot, std::span<const double> 
     return {};
   }
   Vector v(n), v_before(n), w(n), w_before(n), next(n);
-  apply(std::span<const double>(x), std::span<double>(next));
+  if (std::any_of(x.begin(), x.end(), [](double value) { return value != 0.0; }))
+    apply(std::span<const double>(x), std::span<double>(next));
   for (std::size_t i = 0; i < n; ++i)
     v[i] = b[i] - next[i];
   double beta = norm(v), left = beta;

@@ -44,6 +44,8 @@ public:
   };
   Moved deepen(int depth, double damping);
   void reset() { count_ = 0; }
+  /// Forgets all differences; the next one is to the last evaluation.
+  void keep_last() { count_ = 1; }
   [[nodiscard]] std::size_t depth() const { return depth_; }
 
 private:
@@ -83,14 +85,18 @@ public:
   void deepen(int depth, double damping);
   /// Forgets the history.
   void reset() { weights_.reset(); }
+  /// From now on, gives up the history where an evaluation tells nothing new: for maps that change for another reason than x.
+  void give_up_where_still() { gives_up_ = true; }
 
 private:
   void grow(std::span<const double> x, std::span<const double> g, std::span<const double> y);
   void record(std::span<const double> x, std::span<const double> g, std::span<const double> y,
               const AndersonWeights::Entry& entry);
+  [[nodiscard]] bool stands_still(std::size_t slot) const;
 
   AndersonWeights weights_;
   const Communicator* ranks_;
+  bool gives_up_ = false;
   std::vector<double> previous_g_, previous_f_, previous_y_;
   std::vector<std::vector<double>> dg_, df_, dy_; ///< ring buffers of differences
   std::vector<double> weight_;                    ///< weights of the differences in the last combination

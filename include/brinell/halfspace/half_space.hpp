@@ -39,7 +39,7 @@ public:
 
   /// @param ranks  by which the half space is shared; nullptr: this process alone
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic, Ranks ranks = nullptr);
-  /// Operators on some columns of a longer grid `whole` with the same rows: as close to the operators on the whole grid as the
+  /// Operators on some columns and rows of a larger grid `whole`: as close to the operators on the whole grid as the
   /// shorter transforms allow (docs/theory/elastoplastic.md, windows).
   HalfSpace(const VolumeGrid& grid, const Elastic& elastic, const SurfaceGrid& whole, Ranks ranks = nullptr);
   /// A layered body (docs/theory/stacks.md). The stress of a load in cells that an interface cuts is the mean of both layers. With

@@ -71,9 +71,13 @@ public:
   /// Layers from the surface down to the deepest cell.
   [[nodiscard]] int layers() const;
 
+  /// Unknowns, six in a cell, up to which there is a matrix: it takes 140 MB, and less than a second.
+  static constexpr std::size_t most_of_matrix = 4200;
+
   struct Report
   {
-    int iterations = 0;    ///< each costs one evaluation of the body
+    int iterations = 0;    ///< each costs one evaluation of the body or, in `update`, of the box around the inclusions
+    int corrections = 0;   ///< of `update`: additions to the fields, each of which costs one evaluation of the body
     double residual = 0.0; ///< of the equation, relative to the stress `sigma_0`
   };
   /// Finds the equivalent strain.
@@ -81,13 +85,26 @@ public:
   /// @param equivalent  guess, and result [-]
   /// @param tolerance   of the residual
   Report solve(const InclusionField& stress, InclusionField& equivalent, double tolerance, int most_iterations = 200);
+  /// An equivalent strain and the stress that it causes in the cells.
+  struct Solution
+  {
+    InclusionField equivalent, caused;
+  };
+  [[nodiscard]] Solution make_solution() const; ///< zero
+  /// Finds the equivalent strain and adds its stress and displacement, as `solve` and `add` do, in less time: it corrects the guess until the fields of the
+  /// whole body satisfy the equation. A correction takes a factorised matrix of the equations if they are few, otherwise iterations in a small body, the
+  /// columns, rows and layers around the inclusions, where these are a part of the grid: docs/theory/inclusions.md (corrections).
+  /// @param solution  guess, and result
+  /// @param layers    as many as hold the inclusions, or more
+  Report update(const InclusionField& stress, Solution& solution, double tolerance, int most_iterations, int layers,
+                const HalfSpace::Dilated& to);
   /// Stress that the equivalent strain causes in the cells of the inclusions [Pa].
   void stress(const InclusionField& equivalent, InclusionField& out);
   /// Adds the stress of the equivalent strain to fields of the body, in the layers [0, layers), and its displacement to the surface.
   /// @param to  as HalfSpace::Dilated, but all rows of the stress
   void add(const InclusionField& equivalent, int layers, const HalfSpace::Dilated& to);
-  /// Means of a field of the body over the cells of the inclusions.
-  void gather(std::span<const double> deviator, std::span<const double> trace, InclusionField& out);
+  /// Means of a field of the body over the cells of the inclusions; on a mirrored grid its independent rows are read.
+  void gather(std::span<const double> deviator, std::span<const double> trace, InclusionField& out) const;
   /// Work of a stress on a strain [J]; on a mirrored grid that of both sides.
   [[nodiscard]] double work(const InclusionField& stress, const InclusionField& strain) const;
 

@@ -303,7 +303,7 @@ struct StepFields
 /// How the equivalent strain of inclusions was found, since the start.
 struct InclusionTotals
 {
-  long iterations = 0;           ///< each costs one evaluation of the layers down to the deepest inclusion
+  long iterations = 0;           ///< in the box around the inclusions; none where a matrix solves
   double largest_residual = 0.0; ///< at the end of an increment, relative to the stress
 };
 

@@ -158,6 +158,8 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
   const AndersonWeights::Entry entry = weights_.next();
   if (weights_.depth() > 0)
     record(x, g, y, entry);
+  if (gives_up_ && entry.compares && weights_.depth() > 0 && stands_still(entry.slot))
+    weights_.keep_last();
   weight_ = weights_.weights();
   for_pieces(x.size(),
              [&](std::size_t first, std::size_t last)
@@ -167,6 +169,25 @@ void Anderson::advance(std::span<double> x, std::span<const double> g, std::span
                  for (std::size_t i = first; i < last; ++i)
                    x[i] -= weight_[a] * dg_[a][i];
              });
+}
+
+/// Whether the last evaluation has told nothing: its residual is that of the one before. The same step would follow again and again where something undoes
+/// it, such as a trial that is put back on the yield surface, after g has changed for another reason than x.
+bool Anderson::stands_still(std::size_t slot) const
+{
+  constexpr double nothing = 1e-5; // of the largest residual
+  double residual = 0.0, change = 0.0;
+  for (std::size_t i = 0; i < previous_f_.size(); ++i)
+  {
+    residual = std::max(residual, std::abs(previous_f_[i]));
+    change = std::max(change, std::abs(df_[slot][i]));
+  }
+  if (ranks_ != nullptr)
+  {
+    residual = ranks_->largest(residual);
+    change = ranks_->largest(change);
+  }
+  return change <= nothing * residual;
 }
 
 std::vector<double> Anderson::residual() const

@@ -20,12 +20,14 @@ constexpr double acceptable = 1e-4;
 constexpr int most_iterations = 400;
 /// Of the acceleration of the displacement: the trials change it, too, so that differences are soon outdated.
 constexpr int depth = 2;
+/// Changes of the displacement, relative to the largest, that are nothing but this.
+constexpr double rounding = 1e-12;
 
 } // namespace
 
 Embedded::Embedded(const halfspace::HalfSpace& body, const std::vector<halfspace::Inclusion>& inclusions,
                    std::size_t axes)
-    : inclusions_(body, inclusions), present_{inclusions_.make_field(),
+    : inclusions_(body, inclusions), present_{inclusions_.make_solution(),
                                               std::vector<double>(axes * body.grid().surface.size())},
       committed_(present_), given_(inclusions_.make_field()), surface_(body.grid().surface.size()), axes_(axes),
       acceleration_(depth), trace_(body.grid().size())
@@ -34,11 +36,11 @@ Embedded::Embedded(const halfspace::HalfSpace& body, const std::vector<halfspace
     find_own_stress();
 }
 
-/// Finds the equivalent strain for the stress `given_`.
-void Embedded::solve(halfspace::InclusionField& equivalent)
+/// Finds the equivalent strain for the stress `given_`, and adds its fields.
+void Embedded::solve(halfspace::Inclusions::Solution& solution, int layers, const halfspace::HalfSpace::Dilated& to)
 {
-  report_ = inclusions_.solve(given_, equivalent, tolerance, most_iterations);
-  if (!(report_.residual <= acceptable))
+  report_ = inclusions_.update(given_, solution, tolerance, most_iterations, layers, to);
+  if (report_.residual > acceptable) // a trial that has got out of hand has numbers that are none, and is repeated
     throw ConvergenceError(fmt::format("the equivalent strain of the inclusions has not converged: after {} iterations "
                                        "its equation is off by {:.1e} of the stress",
                                        report_.iterations, report_.residual));
@@ -46,17 +48,14 @@ void Embedded::solve(halfspace::InclusionField& equivalent)
 
 void Embedded::find_own_stress()
 {
-  halfspace::InclusionField strain = inclusions_.make_field();
+  halfspace::Inclusions::Solution solution = inclusions_.make_solution();
   const halfspace::InclusionField& own = inclusions_.own_strain();
+  const int layers = static_cast<int>(trace_.size() / surface_);
   inclusions_.stress(own, given_);
-  solve(strain);
-  for (std::size_t i = 0; i < own.deviator.size(); ++i)
-    strain.deviator[i] += own.deviator[i];
-  for (std::size_t i = 0; i < own.volumetric.size(); ++i)
-    strain.volumetric[i] += own.volumetric[i];
   own_deviator_.assign(Deviator::size * trace_.size(), 0.0);
   own_trace_.assign(trace_.size(), 0.0);
-  inclusions_.add(strain, static_cast<int>(trace_.size() / surface_), {own_deviator_, own_trace_, {}});
+  inclusions_.add(own, layers, {own_deviator_, own_trace_, {}});
+  solve(solution, layers, {own_deviator_, own_trace_, {}});
 }
 
 namespace
@@ -85,25 +84,29 @@ void Embedded::update(const halfspace::HalfSpace::Loaded& strain, const halfspac
 {
   strain.traces(load, trace_);
   inclusions_.gather(stress, trace_, given_);
-  solve(present_.equivalent);
   found_.assign(axes_ * surface_, 0.0);
   const auto of_axis = [&](std::size_t axis)
   { return axis < axes_ ? std::span(found_).subspan(axis * surface_, surface_) : std::span<double>(); };
-  inclusions_.add(present_.equivalent, layers, {stress, {}, {of_axis(0), of_axis(1), of_axis(2)}});
+  solve(present_.solution, layers, {stress, {}, {of_axis(0), of_axis(1), of_axis(2)}});
   add_field(own_deviator_, Deviator::size, static_cast<std::size_t>(layers) * surface_, stress);
   change_.resize(found_.size());
   error_ = 0.0;
+  double largest = 0.0;
   for (std::size_t i = 0; i < found_.size(); ++i)
   {
     change_[i] = found_[i] - present_.displacement[i];
     error_ = i < surface_ ? std::max(error_, std::abs(change_[i])) : error_;
+    largest = i < surface_ ? std::max(largest, std::abs(found_[i])) : largest;
   }
-  acceleration_.advance(present_.displacement, found_, change_);
+  if (error_ > rounding * largest)
+    return acceleration_.advance(present_.displacement, found_, change_);
+  present_.displacement = found_; // differences of rounding would be accelerated to anything
+  acceleration_.reset();
 }
 
 void Embedded::add_stress(int layers, std::span<double> deviator, std::span<double> trace)
 {
-  inclusions_.add(present_.equivalent, layers, {deviator, trace, {}});
+  inclusions_.add(present_.solution.equivalent, layers, {deviator, trace, {}});
   add_field(own_deviator_, Deviator::size, static_cast<std::size_t>(layers) * surface_, deviator);
   add_field(own_trace_, 1, static_cast<std::size_t>(layers) * surface_, trace);
 }
@@ -121,8 +124,11 @@ void Embedded::commit()
 
 void Embedded::exchange(Archive& archive)
 {
-  archive("equivalent_deviator", committed_.equivalent.deviator);
-  archive("equivalent_volume", committed_.equivalent.volumetric);
+  halfspace::Inclusions::Solution& solution = committed_.solution;
+  archive("equivalent_deviator", solution.equivalent.deviator);
+  archive("equivalent_volume", solution.equivalent.volumetric);
+  archive("caused_deviator", solution.caused.deviator);
+  archive("caused_volume", solution.caused.volumetric);
   archive("displacement", committed_.displacement);
   restore();
 }

@@ -47,7 +47,7 @@ private:
   halfspace::Inclusions inclusions_;
   struct State
   {
-    halfspace::InclusionField equivalent;
+    halfspace::Inclusions::Solution solution;
     std::vector<double> displacement; ///< [axis][cell] [m]
   };
   State present_, committed_;
@@ -58,7 +58,7 @@ private:
   halfspace::Inclusions::Report report_{};
   std::vector<double> trace_, found_, change_, own_deviator_, own_trace_;
 
-  void solve(halfspace::InclusionField& equivalent);
+  void solve(halfspace::Inclusions::Solution& solution, int layers, const halfspace::HalfSpace::Dilated& to);
   void find_own_stress();
 };
 

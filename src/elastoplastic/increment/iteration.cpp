@@ -69,7 +69,8 @@ class Iteration
 public:
   Iteration(ContactParts& contact, const Task& task)
       : c_(contact), task_(task), strategy_(task.strategy),
-        acceleration_(task.strategy.anderson_depth, ranks_of(contact))
+        acceleration_(task.strategy.anderson_depth, ranks_of(contact),
+                      std::ranges::any_of(contact.sides, [](const Side& side) { return side.body.has_inclusions(); }))
   {
   }
 

@@ -19,10 +19,13 @@ namespace brinell::elastoplastic
 class Acceleration
 {
 public:
-  /// @param depth  0: plain fixed point, q <- g(q)
-  Acceleration(int depth, const Communicator& ranks)
+  /// @param depth           0: plain fixed point, q <- g(q)
+  /// @param has_inclusions  whether the equivalent strain of inclusions changes the map beside the trials
+  Acceleration(int depth, const Communicator& ranks, bool has_inclusions)
       : depth_(depth), shared_(ranks), anderson_(depth, ranks.is_alone() ? nullptr : &ranks), on_devices_(depth)
   {
+    if (has_inclusions)
+      anderson_.give_up_where_still();
   }
 
   /// Keeps `factor` times as many evaluations from now on, see Anderson::deepen.

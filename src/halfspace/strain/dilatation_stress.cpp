@@ -17,7 +17,7 @@ using layer_waves::Field;
 using layer_waves::Wave;
 
 DilatationStress::DilatationStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft,
-                                   double shortest)
+                                   const layer_waves::Shortest& shortest)
     : grid_(grid), nu_(elastic.poisson_ratio), mu_(elastic.shear_modulus()), fft_(fft),
       strain_fft_(grid.surface, fft.px(), fft.py(), grid.nz),
       stress_fft_(grid.surface, fft.px(), fft.py(), stresses * grid.nz),
@@ -31,8 +31,8 @@ DilatationStress::DilatationStress(const VolumeGrid& grid, const Elastic& elasti
       const double m = 2.0 * std::numbers::pi * i / (fft.px() * grid.surface.dx);
       const double n = 2.0 * std::numbers::pi * row / (fft.py() * grid.surface.dy);
       factors_[static_cast<std::size_t>(i / lane_count * rows + row)].set(
-          static_cast<std::size_t>(i % lane_count), m, n, 2 * i == fft.px() ? std::sqrt(shortest) : 1.0,
-          2 * row == fft.py() ? 0.0 : 1.0, grid.dz, nu_, mu_);
+          static_cast<std::size_t>(i % lane_count), m, n, 2 * i == fft.px() ? std::sqrt(shortest.x) : 1.0,
+          2 * row == fft.py() ? std::sqrt(shortest.y) : 1.0, grid.dz, nu_, mu_);
     }
 }
 

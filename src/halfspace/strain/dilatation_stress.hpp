@@ -23,9 +23,9 @@ namespace brinell::halfspace
 class DilatationStress
 {
 public:
-  /// @param fft       transform of single planes of the surface of `grid`; must outlive this object
-  /// @param shortest  see EigenstrainStress
-  DilatationStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft, double shortest);
+  /// @param fft  transform of single planes of the surface of `grid`; must outlive this object
+  DilatationStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft,
+                   const layer_waves::Shortest& shortest);
 
   static constexpr int stresses = Deviator::size + 1; ///< components of the stress: the deviator, then the trace
 

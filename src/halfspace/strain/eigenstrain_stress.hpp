@@ -34,10 +34,9 @@ namespace brinell::halfspace
 class EigenstrainStress
 {
 public:
-  /// @param fft       any transform of the surface of `grid`, which determines the padded lengths; must outlive this object.
-  /// @param shortest  fraction of the couplings of even order through the shears that is retained for the shortest wave along x:
-  ///                  0 for a whole grid; for parts of larger grids see HalfSpace.
-  EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft, double shortest = 0.0);
+  /// @param fft  any transform of the surface of `grid`, which determines the padded lengths; must outlive this object.
+  EigenstrainStress(const VolumeGrid& grid, const Elastic& elastic, const BlockedFft& fft,
+                    const layer_waves::Shortest& shortest = {});
   EigenstrainStress(const EigenstrainStress&) = delete;
   EigenstrainStress& operator=(const EigenstrainStress&) = delete;
 

@@ -19,12 +19,13 @@ namespace brinell::halfspace
 {
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const Elastic& elastic, Ranks ranks)
-    : operators_(std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, 0.0, std::move(ranks)))
+    : operators_(
+          std::make_unique<Operators>(grid, ElasticStack{{}, elastic}, layer_waves::Shortest{}, std::move(ranks)))
 {
 }
 
 HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack, Ranks ranks)
-    : operators_(std::make_unique<Operators>(grid, stack, 0.0, std::move(ranks)))
+    : operators_(std::make_unique<Operators>(grid, stack, layer_waves::Shortest{}, std::move(ranks)))
 {
   require_resolved(grid.surface, stack);
 }
@@ -32,13 +33,15 @@ HalfSpace::HalfSpace(const VolumeGrid& grid, const ElasticStack& stack, Ranks ra
 namespace
 {
 
-/// Fraction of the couplings that is retained for the shortest wave along x (see EigenstrainStress), such that a strain within a
-/// part causes the same amplitude of this wave as on the whole grid: a transform of p columns omits 1/p of the response between
+/// Fractions of the couplings that are retained for the shortest waves, such that a strain within a
+/// part causes the same amplitude of these waves as on the whole grid: a transform of p columns omits 1/p of the response between
 /// each pair of cells, with alternating signs.
-double shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
+layer_waves::Shortest shortest_of_part(const SurfaceGrid& part, const SurfaceGrid& whole)
 {
-  const int columns = padded_lengths(part).x, of_whole = padded_lengths(whole).x;
-  return of_whole % 2 == 0 ? std::max(0.0, 1.0 - static_cast<double>(columns) / of_whole) : 1.0;
+  const PaddedLengths own = padded_lengths(part), all = padded_lengths(whole);
+  const auto retained = [](int of_part, int of_whole)
+  { return of_whole % 2 == 0 ? std::max(0.0, 1.0 - static_cast<double>(of_part) / of_whole) : 1.0; };
+  return {retained(own.x, all.x), part.is_mirrored_y ? 0.0 : retained(own.y, all.y)};
 }
 
 } // namespace

@@ -22,7 +22,7 @@ HalfSpace::DilatationWork& HalfSpace::DilatationWork::operator=(DilatationWork&&
 
 const DilatationStress& HalfSpace::Operators::dilatation_stress() const
 {
-  return dilatation_.get([&] { return DilatationStress(grid, stack.substrate, surface_fft, shortest_wave); });
+  return dilatation_.get([&] { return DilatationStress(grid, stack.substrate, surface_fft, shortest_waves); });
 }
 
 HalfSpace::DilatationWork HalfSpace::make_dilatation_work() const

@@ -30,7 +30,8 @@ int parts_for(int layers)
 
 } // namespace
 
-HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by)
+HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& constants,
+                                const layer_waves::Shortest& shortest, Ranks by)
     : grid(volume), stack(constants.merged()), ranks(by ? std::move(by) : std::make_shared<const Communicator>()),
       share(ranks->rank(), ranks->size()), own{volume.surface, share.count(volume.nz), volume.dz},
       surface_fft(volume.surface, padded_lengths(volume.surface).x, padded_lengths(volume.surface).y, 1),
@@ -39,7 +40,7 @@ HalfSpace::Operators::Operators(const VolumeGrid& volume, const ElasticStack& co
       mirrored_fft(volume, surface_fft.px(), surface_fft.py()),
       own_mirrored_fft(own, surface_fft.px(), surface_fft.py()), blocks(share.blocks(surface_fft.blocks())),
       image_correction(volume, stack, surface_fft), layers_at_a_time(volume.nz), units_at_a_time(volume.nz),
-      shortest_wave(shortest)
+      shortest_waves(shortest)
 {
   if (stack.is_homogeneous())
     eigenstrain_stress.emplace(volume, stack.substrate, surface_fft, shortest);

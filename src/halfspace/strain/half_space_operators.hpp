@@ -102,10 +102,9 @@ struct HalfSpace::Operators
   int layers_at_a_time; ///< number of layers passed between ranks at a time, in whole turns
   int units_at_a_time;  ///< number of units: layers, or of mirror images pairs of layers
 
-  double shortest_wave; ///< see EigenstrainStress
+  layer_waves::Shortest shortest_waves;
 
-  /// @param shortest  see EigenstrainStress
-  Operators(const VolumeGrid& volume, const ElasticStack& constants, double shortest, Ranks by);
+  Operators(const VolumeGrid& volume, const ElasticStack& constants, const layer_waves::Shortest& shortest, Ranks by);
 
   /// @param of_guest  leave out the buffers that a guest borrows
   [[nodiscard]] std::unique_ptr<Work::Buffers> make_buffers(bool of_guest) const;

@@ -21,6 +21,13 @@ struct Factors : FactorsOf<Lanes>
   void set(std::size_t lane, double m, double n, double kept_x, double kept_y, double dz, double nu, double mu);
 };
 
+/// Fractions of the couplings of even order through the shears that are retained for the shortest waves, of two cells, along x and along y: 0 for a
+/// whole grid; for parts of larger grids see HalfSpace.
+struct Shortest
+{
+  double x = 0.0, y = 0.0;
+};
+
 using Wave = WaveOf<ComplexLanes>;
 using Field = FieldOf<ComplexLanes>;
 using Layer = LayerOf<ComplexLanes>;

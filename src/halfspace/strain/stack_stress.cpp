@@ -21,8 +21,8 @@ void StackStress::Matrix::set(std::size_t lane, const green::StackWave::Matrix& 
   ww[lane] = across * matrix.ww;
 }
 
-StackStress::StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, double shortest,
-                         const Portion& blocks)
+StackStress::StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft,
+                         const layer_waves::Shortest& shortest, const Portion& blocks)
     : grid_(grid), fft_(fft), blocks_(blocks), parts_(stack_parts(grid, stack)),
       spectra_bytes_(static_cast<std::size_t>(fft.blocks()) * static_cast<std::size_t>(fft.py()) *
                      static_cast<std::size_t>(Deviator::size * grid.nz) * sizeof(ComplexLanes))
@@ -42,15 +42,15 @@ StackStress::StackStress(const VolumeGrid& grid, const ElasticStack& stack, cons
 }
 
 /// The waves of a material are in units of its stiffness; StackWave has them in units of stress.
-void StackStress::set(int column, int row, const ElasticStack& stack, double shortest)
+void StackStress::set(int column, int row, const ElasticStack& stack, const layer_waves::Shortest& shortest)
 {
   const double m = 2.0 * std::numbers::pi * column / (fft_.px() * grid_.surface.dx);
   const double n = 2.0 * std::numbers::pi * row / (fft_.py() * grid_.surface.dy);
   const auto lane = static_cast<std::size_t>(column % lane_count);
   const std::size_t wave = wave_at(column / lane_count, row);
   constexpr double unit_nu = 0.5, unit_mu = 1.0; // mu / 2 (1 - nu) = 1
-  factors_[wave].set(lane, m, n, 2 * column == fft_.px() ? std::sqrt(shortest) : 1.0, 2 * row == fft_.py() ? 0.0 : 1.0,
-                     grid_.dz, unit_nu, unit_mu);
+  factors_[wave].set(lane, m, n, 2 * column == fft_.px() ? std::sqrt(shortest.x) : 1.0,
+                     2 * row == fft_.py() ? std::sqrt(shortest.y) : 1.0, grid_.dz, unit_nu, unit_mu);
   const double k = std::hypot(m, n);
   if (k == 0.0)
     return;

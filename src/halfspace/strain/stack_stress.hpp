@@ -23,10 +23,10 @@ class StackStress
 {
 public:
   /// @param grid      whose layers of cells end at the interfaces (`require_aligned`)
-  /// @param fft, shortest  see EigenstrainStress
+  /// @param fft  see EigenstrainStress
   /// @param blocks         of wavenumbers that will be asked for
-  StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft, double shortest,
-              const Portion& blocks);
+  StackStress(const VolumeGrid& grid, const ElasticStack& stack, const BlockedFft& fft,
+              const layer_waves::Shortest& shortest, const Portion& blocks);
   StackStress(const StackStress&) = delete;
   StackStress& operator=(const StackStress&) = delete;
 
@@ -75,7 +75,7 @@ private:
     double in_plane, across, nu;
   };
   struct Tile;
-  void set(int column, int row, const ElasticStack& stack, double shortest);
+  void set(int column, int row, const ElasticStack& stack, const layer_waves::Shortest& shortest);
   void gather(const EigenstrainStress::Spectra& spectra, const Tile& tile, Scratch& scratch) const;
   void join(const Tile& tile, Scratch& scratch) const;
   void go_up(const EigenstrainStress::Spectra& spectra, const Tile& tile, Scratch& scratch) const;

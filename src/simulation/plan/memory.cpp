@@ -2,6 +2,7 @@
 #include "memory.hpp"
 
 #include "brinell/foundation/share.hpp"
+#include "brinell/halfspace/inclusions.hpp"
 #include "brinell/simulation/forecast.hpp"
 #include "elastoplastic/body/window.hpp"
 #include "foundation/fft.hpp"
@@ -107,16 +108,20 @@ double share_near_yield(const VolumeGrid& grid, const Plan& plan)
 }
 
 /// Memory of inclusions beside that of their body: work of its strain and of a dilatation, fields of both on the whole grid, and the unknowns
-/// with the vectors of their iteration.
+/// with their matrix, or with the vectors of their iteration and fields of the box in which it is done.
 double embedding_bytes(const VolumeGrid& grid, const EmbeddedCells& inclusions, int shears, int ranks)
 {
-  constexpr double unknowns = 6.0, vectors = 24.0, fields = 14.0, of_dilatation = 1.3;
+  constexpr double per_cell = 6.0, vectors = 24.0, fields = 14.0, of_dilatation = 1.3, most_of_box = 0.5;
   if (inclusions.cells == 0)
     return 0.0;
   const double own = inclusions.has_own_strain ? 6.0 : 0.0, strength = inclusions.has_own_strength ? 2.0 : 0.0;
   const halfspace::MemoryOfHalfSpace half_space = halfspace::memory_of_half_space(grid, shears, ranks);
-  return (1.0 + of_dilatation) * half_space.work + half_space.trace + field_bytes(grid, fields + own + strength) +
-         unknowns * vectors * static_cast<double>(inclusions.cells) * sizeof(double);
+  const double bodies = (1.0 + of_dilatation) * half_space.work + half_space.trace + field_bytes(grid, fields);
+  const double unknowns = per_cell * static_cast<double>(inclusions.cells);
+  const bool has_matrix = unknowns <= static_cast<double>(halfspace::Inclusions::most_of_matrix);
+  return bodies + field_bytes(grid, own + strength) +
+         (has_matrix ? unknowns * unknowns * sizeof(double)
+                     : unknowns * vectors * sizeof(double) + most_of_box * inclusions.layers / grid.nz * bodies);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brinell/simulation/forecast.hpp"
 
+#include "brinell/halfspace/inclusions.hpp"
 #include "brinell/simulation/first_yield.hpp"
 #include "constitutive/lane_return.hpp"
 #include "elastoplastic/body/window.hpp"
@@ -221,17 +222,15 @@ std::vector<Factor> factors_of(const Situation& s, double severity)
 /// Evaluations per step with inclusions, also where the body does not yield (measured, docs/theory/inclusions.md).
 constexpr double evaluations_with_inclusions = 6.0;
 
-/// Iterations of the equivalent strain of inclusions in an evaluation, each from the last solution on (measured there, too).
-double iterations_of(const EmbeddedCells& inclusions)
+/// Corrections of the equivalent strain of inclusions in an evaluation (measured there, too): one by a matrix, several by iterations in a part of the grid,
+/// which take about as long again.
+double corrections_of(const EmbeddedCells& inclusions)
 {
-  constexpr double least = 1.5, of_contrast = 7.5, of_void = 8.0, of_rigid = 5.0, extreme = 0.999, mixed = 0.1,
-                   of_mixed = 2.0;
-  const auto [softest, stiffest] = std::pair{inclusions.softest, -inclusions.stiffest};
-  const double one = least + of_contrast * std::max(softest, stiffest) +
-                     (softest > extreme    ? of_void
-                      : stiffest > extreme ? of_rigid
-                                           : 0.0);
-  return std::min(softest, stiffest) > mixed ? of_mixed * one : one;
+  constexpr std::size_t per_cell = 6;
+  constexpr double least = 3.0, of_contrast = 3.0;
+  if (per_cell * inclusions.cells <= halfspace::Inclusions::most_of_matrix)
+    return 1.0;
+  return least + of_contrast * std::max(inclusions.softest, -inclusions.stiffest);
 }
 
 /// Sums over the bodies that are solved, in transforms of planes and in cells, both in units of 1e9.
@@ -244,7 +243,7 @@ struct Sizes
 Sizes sizes_of(const Situation& s)
 {
   const double unit = 1e-9 * (s.is_line && s.can_yield() ? growth_of_line(s.severity()) : 1.0);
-  constexpr double of_iteration = 1.6; // with the dilatation, and the means over cells
+  constexpr double of_correction = 1.6; // with the dilatation
   Sizes sizes;
   for (const auto& [body, grid] : {std::pair{&s.lower, &s.plan.lower}, {&s.upper, &s.plan.upper}})
   {
@@ -266,8 +265,7 @@ Sizes sizes_of(const Situation& s)
     sizes.transforms +=
         unit * transform(is_whole ? grid->surface : evaluated(s.pair, s.plan, grid->surface)) * grid->nz;
     if (inclusions.cells > 0)
-      sizes.transforms +=
-          unit * transform(grid->surface) * inclusions.layers * of_iteration * iterations_of(inclusions);
+      sizes.transforms += unit * transform(grid->surface) * grid->nz * of_correction * corrections_of(inclusions);
     sizes.cells += cells;
     sizes.nonlinear_cells += is_linear ? 0.0 : cells;
     sizes.heated_layers += s.heats && body->material.thermal ? all : 0.0;

@@ -53,6 +53,21 @@ double distance(const std::vector<double>& a, const std::vector<double>& b)
   return d;
 }
 
+// g(x) = x/2 + s, where s changes from 1 to 2 after the first evaluation, as by an unknown that is not in x: the difference of both evaluations says that g
+// rises by just as much as x, and no step at all would follow. The history is given up instead.
+TEST(AndersonTest, DoesNotStandStillWhereTheMapChangesUnseen)
+{
+  Anderson anderson(3);
+  anderson.give_up_where_still();
+  std::vector<double> x{0.0};
+  advance(anderson, x, {1.0});
+  EXPECT_EQ(x[0], 1.0);
+  advance(anderson, x, {0.5 * x[0] + 1.5}); // g(1) - g(0) = 1
+  for (int i = 0; i < 4; ++i)
+    advance(anderson, x, {0.5 * x[0] + 1.5});
+  EXPECT_NEAR(x[0], 3.0, 1e-12);
+}
+
 TEST(AndersonTest, KeepsWhatItHasLearntWhenTheMapChanges)
 {
   // Another constant part has the same differences: with all of them known, one evaluation tells the new solution. The difference

@@ -107,6 +107,32 @@ TEST(LinearSystem, IsSolvedAndASingularOneIsNotFinite)
   EXPECT_FALSE(std::isfinite(none[0]));
 }
 
+// With rows that have to be exchanged, and for several right sides.
+TEST(LinearSystem, IsSolvedByFactors)
+{
+  constexpr int n = 70;
+  Matrix a = some_matrix(n, n);
+  a(0, 0) = 0.0;
+  const Factorised factors(a);
+  for (const double first : {1.0, -3.0})
+  {
+    std::vector<double> x(n, 0.5);
+    x[0] = first;
+    const std::vector<double> b = x;
+    factors.solve(x);
+    for (int i = 0; i < n; ++i)
+    {
+      double sum = 0.0, size = 0.0;
+      for (int j = 0; j < n; ++j)
+      {
+        sum += a(i, j) * x[static_cast<std::size_t>(j)];
+        size += std::abs(a(i, j) * x[static_cast<std::size_t>(j)]);
+      }
+      EXPECT_NEAR(sum, b[static_cast<std::size_t>(i)], 1e-12 * size);
+    }
+  }
+}
+
 // The second difference with free ends has the eigenvalues 4 sin^2(pi l / 2n) and cosines as vectors.
 TEST(Eigensystem, OfTheSecondDifferenceAreCosines)
 {

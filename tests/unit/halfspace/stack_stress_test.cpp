@@ -298,7 +298,7 @@ TEST(StackStress, MemoryIsForetoldAlsoOnRanks)
   const BlockedFft fft(grid.surface, padded.x, padded.y, 1);
   for (const int ranks : {1, 3})
   {
-    const StackStress first(grid, three_layers, fft, 0.0, {0, ranks, fft.blocks()});
+    const StackStress first(grid, three_layers, fft, {}, {0, ranks, fft.blocks()});
     // Three layers and the substrate; a homogeneous body has the kernels of the loads in addition, as all bodies have.
     const double more =
         memory_of_half_space(grid, 0, ranks, 4).operators - memory_of_half_space(grid, 0, ranks).operators;

@@ -176,19 +176,20 @@ TEST(InclusionRun, InPlaneStrainInclusionsArePrismsAlongY)
   expect_refusal(c, "`lower.inclusion[0]` ends along y");
 }
 
-// What a run tells of the iteration: its residual is below the tolerance of 1e-6, and there are at least two evaluations a step.
+// What a run tells of the equivalent strain: of few cells a matrix gives it without iterations, its residual is below the tolerance of 1e-6, and there are at
+// least two evaluations a step.
 TEST(InclusionRun, SummariesTellTheIterations)
 {
   const RollingSummary plain = run(over(steel.elastic)), stiff = run(over({390e9, 0.23}));
   EXPECT_FALSE(plain.inclusions);
   ASSERT_TRUE(stiff.inclusions);
   EXPECT_GE(stiff.evaluations, 2L * stiff.steps);
-  EXPECT_GE(stiff.inclusions->iterations, stiff.steps);
+  EXPECT_EQ(stiff.inclusions->iterations, 0);
   EXPECT_GT(stiff.inclusions->largest_residual, 0.0);
   EXPECT_LE(stiff.inclusions->largest_residual, 1e-6);
 }
 
-// Here some four iterations of a third of the body and twice as many evaluations.
+// Here a correction in each evaluation, and twice as many evaluations.
 TEST(InclusionRun, ForecastsCountInclusions)
 {
   const RollingCase with = over({390e9, 0.23}), without = over(steel.elastic);
