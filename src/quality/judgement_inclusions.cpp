@@ -37,6 +37,14 @@ void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings)
                "grid.resolution or grid.spacing",
                found.coarsest + 1, body, found.least, percent_text(error_of_inclusion(found)),
                fewest_cells_of_inclusion)});
+    if (found.at_rest > 1.0)
+      warnings.push_back(
+          {"yields_at_rest",
+           fmt::format(
+               "the {} body yields before any load, by the misfit of its inclusions: their stress at rest is {:.2g} "
+               "times its yield stress or theirs, and would just reach it with {:.2g} times these misfits; the "
+               "first increment has this flow, too, and what it dissipates",
+               body, found.at_rest, 1.0 / found.at_rest)});
     if (found.voxel < 0.999)
       warnings.push_back(
           {"fine_voxels",

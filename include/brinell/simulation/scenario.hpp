@@ -117,6 +117,8 @@ struct EmbeddedCells
   double contrast = 0.0;                ///< of the coarsest in shear: -1 rigid, 1 void
   double softest = 0.0, stiffest = 0.0; ///< largest and smallest contrast of all
   bool has_own_strain = false, has_own_strength = false;
+  /// Largest ratio of the von Mises stress to the yield stress before any load, by own strain; NaN: not found in a plan.
+  double at_rest = 0.0;
 };
 
 /// Grids, steps, tolerances and memory of a run; computed without running.

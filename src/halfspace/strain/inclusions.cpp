@@ -45,28 +45,38 @@ struct Inclusions::Parts
   const HalfSpace& body;
   InclusionCells cells;
   InclusionFields fields;
+  bool is_prepared = false; ///< for corrections
   std::optional<InclusionMatrix> matrix;
   std::unique_ptr<Box> box; ///< nullptr: none
 
   Parts(const HalfSpace& of, const std::vector<Inclusion>& inclusions)
       : body(of), cells(of.grid(), of.elastic(), inclusions), fields(of)
   {
-    const CellBox around = cells.box();
-    if (InclusionMatrix::is_possible(cells) && !of.grid().surface.is_mirrored_y)
-      matrix.emplace(fields, cells);
-    else if (InclusionMatrix::is_possible(cells))
-    {
-      const HalfSpace both_sides({of.grid().surface.whole(), cells.layers, of.grid().dz}, of.elastic());
-      InclusionFields of_both(both_sides);
-      matrix.emplace(of_both, cells);
-    }
-    else if (static_cast<double>(around.nx) * around.ny <= largest_box * static_cast<double>(of.grid().surface.size()))
-      box = std::make_unique<Box>(of, cells.on(around));
   }
+  void prepare();
   [[nodiscard]] std::vector<double> rest(const std::vector<double>& right, const Solution& solution) const;
   Report correct(std::span<const double> rest, double tolerance, int most_iterations, bool in_box,
                  InclusionField& change);
 };
+
+/// Plans what corrections take: without them it is not needed.
+void Inclusions::Parts::prepare()
+{
+  if (std::exchange(is_prepared, true))
+    return;
+  const SurfaceGrid& s = body.grid().surface;
+  const CellBox around = cells.box();
+  if (InclusionMatrix::is_possible(cells) && !s.is_mirrored_y)
+    matrix.emplace(fields, cells);
+  else if (InclusionMatrix::is_possible(cells))
+  {
+    const HalfSpace both_sides({s.whole(), cells.layers, body.grid().dz}, body.elastic());
+    InclusionFields of_both(both_sides);
+    matrix.emplace(of_both, cells);
+  }
+  else if (static_cast<double>(around.nx) * around.ny <= largest_box * static_cast<double>(s.size()))
+    box = std::make_unique<Box>(body, cells.on(around));
+}
 
 Inclusions::Inclusions(const HalfSpace& body, const std::vector<Inclusion>& inclusions)
     : parts_(std::make_unique<Parts>(body, inclusions))
@@ -193,6 +203,7 @@ Inclusions::Report Inclusions::update(const InclusionField& stress, Solution& so
                                       int most_iterations, int layers, const HalfSpace::Dilated& to)
 {
   Parts& p = *parts_;
+  p.prepare();
   std::vector<double> right(p.cells.unknowns());
   p.cells.to_right_side(stress, right);
   const double of_right = std::sqrt(p.cells.dot(right, right));

@@ -2,6 +2,7 @@
 #include "embedding.hpp"
 
 #include "heat.hpp"
+#include "stress_at_rest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -171,6 +172,7 @@ private:
   void count_cells()
   {
     std::vector<std::pair<std::size_t, std::size_t>> owners; // cell, inclusion
+    std::vector<elastoplastic::Inclusion> all;
     for (std::size_t number = 0; number < body_.inclusions.size(); ++number)
     {
       const auto laid = in_cells({body_.inclusions[number]}, grid_, origin_, y0_);
@@ -180,6 +182,7 @@ private:
       for (const elastoplastic::Inclusion& one : laid)
         for (const std::size_t cell : one.cells)
           owners.emplace_back(cell, number);
+      all.insert(all.end(), laid.begin(), laid.end());
     }
     std::ranges::sort(owners);
     for (std::size_t i = 1; i < owners.size(); ++i)
@@ -191,6 +194,9 @@ private:
                       member_of(name_, "inclusion"));
     found_.cells = owners.size();
     found_.layers = static_cast<int>(owners.back().first / grid_.surface.size()) + 1;
+    if (found_.has_own_strain)
+      found_.at_rest =
+          ratio_at_rest(all, grid_, body_.material.elastic, constitutive::initial_yield_stress(body_.material.law()));
   }
 
   const ShapedBody& body_;

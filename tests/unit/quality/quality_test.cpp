@@ -80,6 +80,22 @@ TEST(Quality, CoarseInclusionsAreTold)
   EXPECT_EQ(before(c), (Keys{"coarse_inclusion", "fine_voxels"}));
 }
 
+TEST(Quality, MisfitsThatYieldByThemselvesAreTold)
+{
+  RollingCase c = ball_on_flat();
+  c.distance = 1e-4;
+  const double cell = plan(c).contact.dy;
+  InclusionShape ball{InclusionShape::Kind::ellipsoid, {0.0, 0.0, 5.0 * cell}, {}};
+  ball.semi_axes.fill(3.0 * cell);
+  c.lower.inclusions = {{c.lower.material.elastic, ball}};
+  c.lower.inclusions.front().own.dilatation = 1e-4;
+  const double ratio = plan(c).inclusions[0].at_rest;
+  c.lower.inclusions.front().own.dilatation *= 0.99 / ratio;
+  EXPECT_EQ(before(c), Keys{});
+  c.lower.inclusions.front().own.dilatation *= 1.02;
+  EXPECT_EQ(before(c), Keys{"yields_at_rest"});
+}
+
 TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)
 {
   RollingCase c = ball_on_flat();

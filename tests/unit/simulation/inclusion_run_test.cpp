@@ -176,6 +176,38 @@ TEST(InclusionRun, InPlaneStrainInclusionsArePrismsAlongY)
   expect_refusal(c, "`lower.inclusion[0]` ends along y");
 }
 
+/// Under a load that causes a hundredth of the yield stress where the inclusion is, with a misfit.
+RollingCase with_misfit(const Elastic& elastic, double misfit)
+{
+  RollingCase c = over(elastic);
+  c.drive.value = 3e-3;
+  c.lower.inclusions = {
+      {elastic, InclusionShape{InclusionShape::Kind::ellipsoid, {0.0, 0.0, 20e-6}, {9e-6, 9e-6, 9e-6}}}};
+  c.lower.inclusions.front().own.dilatation = misfit;
+  c.spacing = {2.5e-6, 2.5e-6, 2e-6};
+  c.distance = 6e-6;
+  c.extent = 4.0;
+  return c;
+}
+
+// Runs find the stress at rest on the whole grid, plans in a part of it. A tenth of the misfit on both sides: that part errs by little, and the stress is in
+// proportion to the misfit.
+TEST(InclusionRun, PlansForetellMisfitsThatYieldByThemselves)
+{
+  for (const Elastic& elastic : {steel.elastic, Elastic{600e9, 0.2}})
+  {
+    const double misfit = 1e-3, ratio = plan(with_misfit(elastic, misfit)).inclusions[0].at_rest;
+    EXPECT_EQ(plan(with_misfit(elastic, misfit)).inclusions[0].cut, 0);
+    EXPECT_GT(ratio, 0.0);
+    EXPECT_NEAR(plan(with_misfit(elastic, 2.0 * misfit)).inclusions[0].at_rest, 2.0 * ratio, 1e-2 * ratio);
+    const RollingSummary below = run(with_misfit(elastic, 0.9 * misfit / ratio)),
+                         above = run(with_misfit(elastic, 1.1 * misfit / ratio));
+    EXPECT_EQ(below.passes.back().max_equivalent_plastic_strain, 0.0);
+    EXPECT_GT(above.passes.back().max_equivalent_plastic_strain, 0.0);
+  }
+  EXPECT_EQ(plan(over({390e9, 0.23})).inclusions[0].at_rest, 0.0);
+}
+
 // What a run tells of the equivalent strain: of few cells a matrix gives it without iterations, its residual is below the tolerance of 1e-6, and there are at
 // least two evaluations a step.
 TEST(InclusionRun, SummariesTellTheIterations)
