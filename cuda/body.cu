@@ -15,9 +15,13 @@ namespace
 class CudaDevice : public elastoplastic::Device
 {
 public:
-  explicit CudaDevice(const cuda::Device& device) : name_(device.name) {}
+  explicit CudaDevice(const cuda::Device& device)
+      : name_(device.name), free_memory_(static_cast<double>(device.free_memory))
+  {
+  }
 
   [[nodiscard]] std::string name() const override { return name_; }
+  [[nodiscard]] double free_memory() const override { return free_memory_; }
   [[nodiscard]] std::unique_ptr<elastoplastic::BodyOnDevice>
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const override
   {
@@ -32,6 +36,7 @@ public:
 
 private:
   std::string name_;
+  double free_memory_;
   CudaExecutor executor_;
 };
 

@@ -348,9 +348,10 @@ RunReport run_shared(const io::Case& c, const io::ScenarioPlan& plan, const RunO
 namespace
 {
 
-void require_device(const io::Case& c, bool is_shared)
+void require_device(const io::Case& c, const io::ScenarioPlan& plan, bool is_shared)
 {
-  std::visit([&](const auto& scenario) { simulation::require_device(scenario, is_shared); }, c.scenario);
+  const auto& p = std::visit([](const auto& any) -> const simulation::Plan& { return any; }, plan);
+  std::visit([&](const auto& scenario) { simulation::require_device(p, scenario, is_shared); }, c.scenario);
 }
 
 } // namespace
@@ -362,7 +363,7 @@ std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& moni
                      "with a folder, or no solver.accuracy");
   const Threads guard(threads);
   const io::ScenarioPlan plan = io::plan_case(c);
-  require_device(c, false);
+  require_device(c, plan, false);
   io::ResultImage results(c, io::stored_parts(c, plan));
   std::visit([&](const auto& scenario)
              { (void)simulate(scenario, c, plan, results, monitor, {}, std::nullopt, nullptr); },
@@ -374,7 +375,7 @@ RunReport run_case(const io::Case& c, const io::ScenarioPlan& plan, const RunOpt
                    const RunMonitor& monitor)
 {
   const Threads threads(options.threads);
-  require_device(c, options.ranks && !options.ranks->is_alone());
+  require_device(c, plan, options.ranks && !options.ranks->is_alone());
   if (options.ranks && !options.ranks->is_alone())
     return run_shared(c, plan, options, monitor);
   return c.accuracy ? run_series(c, plan, options, monitor)

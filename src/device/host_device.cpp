@@ -5,6 +5,8 @@
 #include "elastic_contact.hpp"
 #include "host_executor.hpp"
 
+#include <limits>
+
 namespace brinell::device
 {
 
@@ -15,6 +17,8 @@ class HostDevice : public elastoplastic::Device
 {
 public:
   [[nodiscard]] std::string name() const override { return "host"; }
+  /// The plan compares the memory of the processor with what it needs.
+  [[nodiscard]] double free_memory() const override { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] std::unique_ptr<elastoplastic::BodyOnDevice>
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const override
   {

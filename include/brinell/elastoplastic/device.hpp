@@ -90,6 +90,8 @@ public:
   virtual ~Device() = default;
 
   [[nodiscard]] virtual std::string name() const = 0;
+  /// Memory that it had left when it was opened [bytes].
+  [[nodiscard]] virtual double free_memory() const = 0;
   /// @param with_shears  whether there are loads by shear, or displacements along the surface
   [[nodiscard]] virtual std::unique_ptr<BodyOnDevice>
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const = 0;

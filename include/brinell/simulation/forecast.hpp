@@ -98,7 +98,7 @@ struct DeviceMemory
 [[nodiscard]] std::optional<DeviceMemory> memory_on_device(const Plan& plan, const PairCase& c);
 /// Opens the device of a case once, so that what it lacks is told before a run begins.
 /// @throws InputError, DeviceError
-void require_device(const PairCase& c, bool is_shared);
+void require_device(const Plan& plan, const PairCase& c, bool is_shared);
 
 /// Peak memory of the first of ranks that share the bodies of a case, which needs most [bytes]; with one rank that of a run.
 [[nodiscard]] double memory_of_rank(const Plan& plan, const PairCase& c, int ranks);

@@ -89,6 +89,7 @@ class CountingDevice : public elastoplastic::Device
 {
 public:
   [[nodiscard]] std::string name() const override { return "counting"; }
+  [[nodiscard]] double free_memory() const override { return 0.0; }
   [[nodiscard]] std::unique_ptr<elastoplastic::BodyOnDevice>
   make_body(const VolumeGrid& grid, const constitutive::Material& material, bool with_shears) const override
   {

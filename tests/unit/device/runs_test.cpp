@@ -166,6 +166,13 @@ TEST(RunOnDevice, IsRefusedByName)
       << text;
 }
 
+void require(const io::Case& c)
+{
+  const io::ScenarioPlan plan = io::plan_case(c);
+  const auto& p = std::visit([](const auto& any) -> const simulation::Plan& { return any; }, plan);
+  std::visit([&](const auto& scenario) { simulation::require_device(p, scenario, false); }, c.scenario);
+}
+
 TEST(RunOnDevice, WithoutCuda)
 {
   ASSERT_FALSE(has_cuda()); // the library has none
@@ -173,8 +180,7 @@ TEST(RunOnDevice, WithoutCuda)
   const std::string report = io::check_report(c, io::plan_case(c));
   EXPECT_NE(report.find("# Device: cuda, "), std::string::npos);
   EXPECT_NE(report.find("built without CUDA and cannot run the case"), std::string::npos);
-  const std::string text = refusal(
-      [&] { std::visit([](const auto& scenario) { simulation::require_device(scenario, false); }, c.scenario); });
+  const std::string text = refusal([&] { require(c); });
   EXPECT_NE(text.find("solver.device = cuda, and this brinell has been built without CUDA"), std::string::npos) << text;
   EXPECT_EQ(opened(DeviceChoice::automatic), nullptr);
 }
@@ -185,6 +191,40 @@ TEST(RunOnDevice, AutoTakesTheProcessorWhereThereIsNoGpu)
   EXPECT_EQ(opened(DeviceChoice::automatic), nullptr);
   EXPECT_THROW((void)opened(DeviceChoice::cuda), DeviceError);
   offer_cuda({});
+}
+
+/// A GPU with little memory.
+struct SmallDevice : elastoplastic::Device
+{
+  [[nodiscard]] std::string name() const override { return "a small GPU"; }
+  [[nodiscard]] double free_memory() const override { return 1e6; }
+  [[nodiscard]] std::unique_ptr<elastoplastic::BodyOnDevice>
+  make_body(const VolumeGrid& /*grid*/, const constitutive::Material& /*material*/, bool /*with_shears*/) const override
+  {
+    return nullptr;
+  }
+  [[nodiscard]] std::unique_ptr<contact::ContactOnDevice>
+  make_contact(const SurfaceGrid& /*grid*/,
+               const halfspace::SurfaceCompliance::NormalSpectra& /*spectra*/) const override
+  {
+    return nullptr;
+  }
+};
+
+TEST(RunOnDevice, TellsOfLittleMemoryBeforeItBegins)
+{
+  offer_cuda([] { return std::make_shared<const SmallDevice>(); });
+  std::string text;
+  try
+  {
+    require(case_of("indentation", {"solver.device=cuda"}));
+  }
+  catch (const DeviceError& error)
+  {
+    text = error.what();
+  }
+  offer_cuda({});
+  EXPECT_NE(text.find("GB of its memory, and a small GPU has 0.001 GB left"), std::string::npos) << text;
 }
 
 } // namespace
