@@ -22,6 +22,11 @@ double error_of_inclusion(const simulation::EmbeddedCells& found)
 
 } // namespace
 
+bool has_inclusions(const Facts& facts)
+{
+  return facts.inclusions[0].cells + facts.inclusions[1].cells > 0;
+}
+
 void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings)
 {
   for (std::size_t side = 0; side < 2; ++side)

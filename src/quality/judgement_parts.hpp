@@ -50,6 +50,8 @@ bool warn_of_coats(const Facts& facts, std::vector<Warning>& warnings);
 /// Warns of coats that have worn so much thinner that the body would give way otherwise than it is computed, or worn through.
 void warn_of_worn_coats(const Facts& facts, const simulation::RunTotals& totals, std::vector<Warning>& warnings);
 
+/// Whether a body has inclusions: the expected errors do not hold then, docs/howto/accuracy.md (inclusions).
+[[nodiscard]] bool has_inclusions(const Facts& facts);
 /// Warns of inclusions that few cells resolve, of those that the grid cuts or leaves out, and of misfits that make the body yield.
 void warn_of_inclusions(const Facts& facts, std::vector<Warning>& warnings);
 

@@ -285,8 +285,8 @@ Quality quality_before(const Facts& f)
   const bool has_sharp_ends = f.between_ends && f.is_smooth; // ends with a texture may be rounded by it
   std::vector<Warning> of_coats;
   const bool has_coarse_coats = warn_of_coats(f, of_coats);
-  // The tables are for surfaces below their shear limit, whose textures and coats the cells resolve, and without singular pressures.
-  if (warn_of_expected_flow(f, of_flow) || has_lost_textures || has_sharp_ends || has_coarse_coats)
+  // The tables are for surfaces below their shear limit, whose textures and coats the cells resolve, without inclusions and without singular pressures.
+  if (warn_of_expected_flow(f, of_flow) || has_lost_textures || has_sharp_ends || has_coarse_coats || has_inclusions(f))
     resolution.expected_errors.clear();
   withhold_errors(f, nullptr, resolution, of_textures);
   Judge judge(f, std::move(resolution));
@@ -321,7 +321,8 @@ Quality quality_after(const Facts& f, const RunTotals& totals)
   const bool has_sharp_ends = f.between_ends && (seen.contact_rows + 2) * f.cell[1] >= *f.between_ends;
   std::vector<Warning> of_coats;
   const bool has_coarse_coats = warn_of_coats(f, of_coats);
-  if (flows_at_surface(f, totals) || has_lost_textures || has_sharp_ends || has_coarse_coats) // see quality_before
+  if (flows_at_surface(f, totals) || has_lost_textures || has_sharp_ends || has_coarse_coats ||
+      has_inclusions(f)) // see quality_before
     resolution.expected_errors.clear();
   withhold_errors(f, &totals, resolution, of_textures);
   Judge judge(f, std::move(resolution));

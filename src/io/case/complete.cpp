@@ -181,8 +181,8 @@ void read_pair(const CaseReader& reader, Case& c, ShapedBody& lower, ShapedBody&
   for (const auto& [name, body] : {std::pair{"lower", &lower}, {"upper", &upper}})
     if (!body->inclusions.empty())
       c.notes.push_back(
-          fmt::format("{}.inclusion: first yield, critical values and expected errors are those of the body "
-                      "without inclusions",
+          fmt::format("{}.inclusion: first yield and critical values are those of the body without inclusions, and no "
+                      "expected errors are stated",
                       name));
   warn_of_material("lower", lower.material, c);
   warn_of_material("upper", upper.material, c);

@@ -147,8 +147,8 @@ std::vector<Entry> inclusion_entries(const std::string& table)
                                  "lower.inclusion[0].type. The body needs a hardening law, and no heat, "
                                  "layers, initial stress, softening, wear or current; rigid inclusions do not go "
                                  "with fatigue. In plane strain inclusions are cuboids, cylinders along y or voxels "
-                                 "of one row. First yield, critical values and expected errors are those of "
-                                 "the body without inclusions."}}),
+                                 "of one row. First yield and critical values are those of the body without "
+                                 "inclusions, and no expected errors are stated."}}),
               region_entries(table), content_entries(table)});
   for (Entry& entry : entries)
     entry.list = table.substr(0, table.size() - 1);

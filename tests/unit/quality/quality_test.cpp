@@ -62,6 +62,10 @@ TEST(Quality, CoarseInclusionsAreTold)
   ball.semi_axes.fill(3.0 * cell);
   c.lower.inclusions = {{{0.0, 0.3}, ball}};
   EXPECT_EQ(before(c), Keys{});
+  EXPECT_TRUE(quality::expected(c, plan(c)).resolution.expected_errors.empty());
+  c.lower.inclusions.clear();
+  EXPECT_FALSE(quality::expected(c, plan(c)).resolution.expected_errors.empty());
+  c.lower.inclusions = {{{0.0, 0.3}, ball}};
   ball.semi_axes.fill(2.4 * cell);
   c.lower.inclusions.front().region = ball;
   EXPECT_EQ(before(c), Keys{"coarse_inclusion"});
