@@ -45,6 +45,9 @@ __all__ = ["HeatResponse", "SteadyField", "SurfaceTemperature", "ThermalField"]
 _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
 """Memory per cell [B] of an operator, of the state of all waves (without most images), and of that state with fields in
 the body."""
+_BYTES_OF_EXCESS, _BYTES_OF_FINE_EXCESS = 10_000, 90_000
+"""Memory per cell [B] that the response of a coated body takes while it is found; where its first layer is thinner than a
+cell."""
 _BYTES_OF_STEADY_LAYER = 500
 """Memory per cell and depth [B]: seven operators, and one table for each of them during the setup."""
 
@@ -80,7 +83,11 @@ class HeatResponse:
                 along a periodic axis, or of a body with layers; a first layer thinner than a quarter of a cell; or a
                 grid that needs more memory than the machine has.
         """
-        require_memory(grid.nx * grid.ny, _BYTES_OF_RESPONSE, "a surface")
+        of_excess = 0
+        if layers:
+            is_thin = layers[0].thickness < max(grid.dx, grid.dy)
+            of_excess = _BYTES_OF_FINE_EXCESS if is_thin else _BYTES_OF_EXCESS
+        require_memory(grid.nx * grid.ny, _BYTES_OF_RESPONSE + of_excess, "a surface")
         self.grid = grid
         self._engine = _core.HeatResponse(
             grid._engine, thermal._engine, _motion(duration, velocity), _constants(layers)

@@ -125,7 +125,7 @@ StackExpansion::StackExpansion(const ElasticStack& elastic, const ThermalStack& 
 
 void StackExpansion::add_depth(std::size_t layer, double depth)
 {
-  Depth& added = depths_.emplace_back(layer, depth, std::vector<Factors>());
+  Depth& added = depths_.emplace_back(Depth{layer, depth, {}});
   added.factors.reserve(fields_.size());
   for (const StackWave::Field& field : fields_)
   {

@@ -176,12 +176,13 @@ std::string hot_surface_text(const char* name, const constitutive::Material& mat
 std::optional<double> layers_of_hot_skin(const Facts& facts, const constitutive::Material& material, double rise)
 {
   constexpr double share_of_yield = 0.1;
-  if (!facts.has_thermal_stress || !facts.heating_time || !material.thermal || !material.is_plastic())
+  const std::optional<constitutive::HardeningLaw> law = material.laws().front(); // of the skin
+  if (!facts.has_thermal_stress || !facts.heating_time || !material.thermal || !law)
     return std::nullopt;
   const Elastic& skin = material.top();
   const Thermal& thermal = material.layers.empty() ? *material.thermal : material.layers.front().thermal.value();
   const double stress = skin.young_modulus * thermal.expansion * rise / (1.0 - skin.poisson_ratio);
-  if (stress < share_of_yield * constitutive::initial_yield_stress(material.law()))
+  if (stress < share_of_yield * constitutive::initial_yield_stress(*law))
     return std::nullopt;
   return std::sqrt(4.0 * thermal.diffusivity() * *facts.heating_time) / facts.cell[2];
 }

@@ -20,6 +20,9 @@ struct HeatMotion
   bool operator==(const HeatMotion&) const = default;
 };
 
+/// Memory that the response of a coated body takes while it is found, whose velocity is along x [bytes]; 0 of a homogeneous body.
+[[nodiscard]] double memory_of_response(const SurfaceGrid& grid, const ThermalStack& thermal, double duration);
+
 /// Checks that the cells represent the first layer of a coated body that conducts heat.
 /// @throws InputError if it is thinner than a quarter of a cell
 void require_resolved(const SurfaceGrid& grid, const ThermalStack& stack);

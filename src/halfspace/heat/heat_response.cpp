@@ -125,8 +125,14 @@ double longer_side(const SurfaceGrid& grid)
   return grid.ny == 1 && grid.is_periodic_y() ? grid.dx : std::max(grid.dx, grid.dy);
 }
 
-/// Excess of a coated body at all offsets between cells, by a unit flux through one cell.
-std::vector<double> excess_of_cell(const SurfaceGrid& grid, const ThermalStack& thermal, const HeatMotion& motion)
+/// Cells of the excess: those between any two cells of a grid, along each axis by so many smaller ones.
+struct Offsets
+{
+  SurfaceGrid grid;
+  int finer, finer_y;
+};
+
+Offsets offsets_of(const SurfaceGrid& grid, const ThermalStack& thermal, bool moves_across)
 {
   // The shortest waves of the cells should not reach the next layer.
   const int finer = thermal.thickness_of_first() < longer_side(grid) ? 3 : 1, finer_y = grid.ny == 1 ? 1 : finer;
@@ -135,17 +141,29 @@ std::vector<double> excess_of_cell(const SurfaceGrid& grid, const ThermalStack& 
   offsets.ny = finer_y * (grid.is_periodic_y() ? grid.ny : 2 * grid.ny - 1);
   offsets.dx = grid.dx / finer;
   offsets.dy = grid.dy / finer_y;
-  offsets.is_mirrored_y = !grid.is_periodic_y() && motion.velocity_y == 0.0;
+  offsets.is_mirrored_y = !grid.is_periodic_y() && !moves_across;
+  return {offsets, finer, finer_y};
+}
+
+WantedOfHeat wanted_of_excess(const ThermalStack& thermal)
+{
+  WantedOfHeat wanted;
+  wanted.coat = CoatOfBody{thermal, {}, HeatCoat::Surface::excess, {}};
+  return wanted;
+}
+
+/// Excess of a coated body at all offsets between cells, by a unit flux through one cell.
+std::vector<double> excess_of_cell(const SurfaceGrid& grid, const ThermalStack& thermal, const HeatMotion& motion)
+{
+  const auto [offsets, finer, finer_y] = offsets_of(grid, thermal, motion.velocity_y != 0.0);
   std::vector<double> flux(offsets.size()), temperature(offsets.size());
   const int first_x = finer * (grid.is_periodic_x() ? 0 : grid.nx - 1),
             first_y = finer_y * (grid.is_periodic_y() ? 0 : grid.ny - 1);
   for (int j = 0; j < finer_y; ++j)
     for (int i = 0; i < finer; ++i)
       flux[offsets.index(first_x + i, first_y + j)] = 1.0;
-  WantedOfHeat wanted;
-  wanted.coat = CoatOfBody{thermal, {}, HeatCoat::Surface::excess, {}};
   OpenHeatMemory memory("HeatResponse", offsets, HeatCoat::of_memory(thermal), {motion.duration, motion.duration},
-                        wanted);
+                        wanted_of_excess(thermal));
   memory.add_step("HeatResponse", flux, motion);
   memory.present_excess(temperature);
   std::vector<double> result;
@@ -157,6 +175,15 @@ std::vector<double> excess_of_cell(const SurfaceGrid& grid, const ThermalStack& 
 }
 
 } // namespace
+
+double memory_of_response(const SurfaceGrid& grid, const ThermalStack& thermal, double duration)
+{
+  if (thermal.is_homogeneous() || std::isinf(thermal.thickness_of_first()))
+    return 0.0;
+  const Offsets offsets = offsets_of(grid, thermal, false);
+  return memory_of_heat(offsets.grid, HeatCoat::of_memory(thermal), {duration, duration}, wanted_of_excess(thermal),
+                        false);
+}
 
 void require_resolved(const SurfaceGrid& grid, const ThermalStack& stack)
 {

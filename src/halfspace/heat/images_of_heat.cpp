@@ -39,8 +39,8 @@ bool is_strip(const SurfaceGrid& grid)
   return grid.is_periodic_x() != grid.is_periodic_y();
 }
 
-ImagesOfHeat::ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, double duration, HeatImages images,
-                           bool has_fields)
+ImagesOfHeat::ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, const Thermal& slowest, double duration,
+                           HeatImages images, bool has_fields)
     : period_x(period(grid.nx, grid.is_periodic_x(), images)), period_y(period(grid.ny, grid.is_periodic_y(), images)),
       x_is_coarser(begins_coarser(grid.nx, grid.is_periodic_x(), images)),
       y_is_coarser(begins_coarser(grid.ny, grid.is_periodic_y(), images)),
@@ -62,7 +62,9 @@ ImagesOfHeat::ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, doub
   end = has_fields ? farther * std::max(spread, 1.5 * nearest) : spread;
   // Waves in depth that decay before heat arrives from the images do not contribute to the temperature by the images, and little
   // to the stress, because that heat remains near the surface.
-  decayed = has_fields ? 600.0 : 2.0 * reach_of_heat * reach_of_heat;
+  // Heat arrives by the fastest material, waves decay by the slowest.
+  decayed = (has_fields ? 600.0 : 2.0 * reach_of_heat * reach_of_heat) *
+            std::sqrt(thermal.diffusivity() / slowest.diffusivity());
 }
 
 DepthWaves waves_of_heat(const char* owner, const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
@@ -161,7 +163,7 @@ double memory_of_heat(const SurfaceGrid& grid, const Thermal& thermal, const Hea
   const Thermal& farthest = wanted.coat ? wanted.coat->thermal.fastest() : thermal;
   const double spread = reach_of_heat * std::sqrt(4.0 * farthest.diffusivity() * times.duration);
   const double deepest = (wanted.heated.count + 1) * wanted.heated.thickness + spread;
-  const ImagesOfHeat images(grid, farthest, times.duration, wanted.images, waves.has_fields);
+  const ImagesOfHeat images(grid, farthest, thermal, times.duration, wanted.images, waves.has_fields);
   double bytes = lattice(images.period_x, images.period_y, waves, layers_of_heat(wanted.heated, deepest, 1));
   for (double distance = images.nearest; distance < images.end; distance *= 2.0)
   {

@@ -30,8 +30,11 @@ struct ImagesOfHeat
          end = 0.0;     ///< distances of the images of the first pair, and from which on none are removed [m]
   double decayed = 0.0; ///< waves in depth up to this number over the distance are kept
 
+  /// @param thermal     in which heat spreads fastest
+  /// @param slowest     constants of the memory, in which waves decay most slowly
   /// @param has_fields  whether fields in the body are wanted, not only the temperature of the surface
-  ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, double duration, HeatImages images, bool has_fields);
+  ImagesOfHeat(const SurfaceGrid& grid, const Thermal& thermal, const Thermal& slowest, double duration,
+               HeatImages images, bool has_fields);
 };
 
 /// Layers of a coated body, for its memory of heat.

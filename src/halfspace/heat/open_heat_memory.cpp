@@ -79,7 +79,7 @@ OpenHeatMemory::OpenHeatMemory(const char* owner, const SurfaceGrid& grid, const
 OpenHeatMemory::OpenHeatMemory(const SurfaceGrid& grid, const Thermal& thermal, const HeatTimes& times,
                                const Wanted& wanted, const DepthWaves& waves)
     : OpenHeatMemory(grid, thermal, times, wanted, waves,
-                     ImagesOfHeat(grid, wanted.coat ? wanted.coat->thermal.fastest() : thermal, times.duration,
+                     ImagesOfHeat(grid, wanted.coat ? wanted.coat->thermal.fastest() : thermal, thermal, times.duration,
                                   wanted.images, waves.has_fields))
 {
 }

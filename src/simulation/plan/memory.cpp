@@ -2,6 +2,7 @@
 #include "memory.hpp"
 
 #include "brinell/foundation/share.hpp"
+#include "brinell/halfspace/heat_response.hpp"
 #include "brinell/halfspace/inclusions.hpp"
 #include "brinell/simulation/forecast.hpp"
 #include "elastoplastic/body/window.hpp"
@@ -210,7 +211,8 @@ double transient_heat_bytes(const VolumeGrid& volume, const constitutive::Materi
   const PaddedLengths padded = padded_lengths(grid.surface);
   const double field = static_cast<double>(sizeof(double)) * padded.x * padded.y;
   const double read = material.is_plastic() ? std::min(most_bytes_read, fields * grid.nz * field) : 0.0;
-  return kept + read + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
+  const double response = halfspace::memory_of_response(plan.contact, stack, plan.heat_times.shortest_step);
+  return kept + read + response + field_bytes(grid, of_plastic_work ? expected_and_lacking : 0.0);
 }
 
 /// Heat of a body and, if it may yield, thermal stress now and before the increment, and softening.

@@ -27,7 +27,7 @@ using test::Field;
 using test::over_wavenumbers;
 
 constexpr Thermal steel{50.0, 7800.0, 470.0, 12e-6}, carbon{2.0, 2200.0, 900.0, 2e-6},
-    gold{318.0, 19300.0, 129.0, 14e-6}, polymer{0.25, 2150.0, 1000.0, 1e-4};
+    gold{318.0, 19300.0, 129.0, 14e-6}, polymer{0.25, 2150.0, 1000.0, 1e-4}, diamond{2000.0, 3500.0, 620.0, 1e-6};
 constexpr Elastic of_steel{210e9, 0.3}, of_coat{150e9, 0.2};
 
 ThermalStack stack_of(const Thermal& film, double thickness, const Thermal& base)
@@ -67,10 +67,10 @@ struct Pair
   const char* name;
   Thermal film, base;
 };
-constexpr Pair pairs[] = {{"carbon on steel", carbon, steel},
-                          {"gold on steel", gold, steel},
-                          {"polymer on gold", polymer, gold},
-                          {"steel on polymer", steel, polymer}};
+constexpr Pair pairs[] = {
+    {"carbon on steel", carbon, steel}, {"gold on steel", gold, steel},
+    {"polymer on gold", polymer, gold}, {"steel on polymer", steel, polymer},
+    {"gold on polymer", gold, polymer}, {"diamond on polymer", diamond, polymer}}; // from the images heat comes fastest
 
 class Coated : public testing::TestWithParam<Pair>
 {
@@ -100,7 +100,7 @@ Field rise_of(const HeatResponse& response)
 TEST_P(Coated, TemperatureOfASpot)
 {
   // At once and later, on the surface and in the body, against Hankel's and Laplace's transforms. The errors are those of sums over
-  // waves, 1e-5 of each wave, and 2e-4 where heat spreads a hundred times faster in one part than in the other.
+  // waves, 1e-5 of each wave.
   for (const double thickness : {0.25 * cell, 3.0 * cell})
     for (const double spread : {0.5, 20.0})
     {
@@ -141,7 +141,7 @@ TEST_P(Coated, TemperatureOfASpot)
                   GetParam().name, thickness / cell, spread, first / highest, second / highest, in_film / highest,
                   beneath / highest, at_surface / highest);
       for (const double error : {second, in_film, beneath, at_surface})
-        EXPECT_LT(error, 3e-4 * highest);
+        EXPECT_LT(error, 1e-4 * highest);
       // Of a quarter of a cell, e^{-2 k h} of the shortest waves of a third of a cell is 1 %.
       EXPECT_LT(first, (thickness < 0.5 * cell ? 2e-3 : 3e-4) * highest);
     }
