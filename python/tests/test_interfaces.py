@@ -83,3 +83,32 @@ def test_bodies_without_interfaces_or_stress_have_no_tractions(tmp_path: Path) -
     with pytest.raises(RunError, match="no stress components of the lower body are stored at step 0.*output.fields"):
         interface_tractions(shallow, 0)
     assert "loaded-interfaces-lower" not in {named.name for named in standard_figures(shallow)}
+
+
+def test_interfaces_between_the_faces_of_cells_are_found_or_left_out(tmp_path: Path) -> None:
+    elastic = {"thickness": "0.5 um", "young_modulus": "210 GPa", "poisson_ratio": 0.3}
+    thin = {**elastic, "thickness": "0.05 um"}
+
+    def run(layers: list[dict[str, object]], thickness: str, name: str) -> Run:
+        material = {"young_modulus": "210 GPa", "poisson_ratio": 0.3, "layers": layers}
+        case = {
+            "scenario": "indentation",
+            "lower": {"shape": {"type": "flat"}, "material": material},
+            "upper": {"shape": {"type": "sphere", "radius": "50 um"}, "material": {"rigid": True}},
+            "indentation": {"load": ["5 mN"], "steps": 2},
+            "grid": {"spacing": ["0.11 um", "0.11 um", thickness]},
+            "output": {"snapshots": "all", "fields": "all"},
+        }
+        return brinell.Case.from_values(case).run(tmp_path / name)
+
+    uneven = run([elastic], "0.065 um", "uneven")  # 7.7 layers of cells
+    (interface,) = uneven.interfaces("lower", 1)
+    hertz = reference.point_contact(50e-6, uneven.summary["geometry"]["contact_modulus_Pa"], load=0.005)
+    x, y = np.meshgrid(interface.x, interface.y)
+    exact = reference.point_contact_stress(x, y, 0.5e-6, hertz.contact_radius, hertz.peak_pressure, 0.3)
+    np.testing.assert_allclose(interface.normal, exact[2], atol=0.005 * hertz.peak_pressure)
+    np.testing.assert_allclose(interface.shear_x, exact[4], atol=0.005 * hertz.peak_pressure)
+    both = run([thin, elastic], "0.065 um", "both")
+    with pytest.warns(brinell.ResolutionWarning, match="5e-08 m is left out"):
+        found = both.interfaces("lower", 1)
+    assert [one.depth for one in found] == pytest.approx([0.55e-6])

@@ -365,7 +365,8 @@ WaveCompliance StackWave::compliance() const
           displacement(WaveLoad::across, field_of(WaveLoad::across), 0, 0.0)[2]};
 }
 
-double change_of_compliance(const ElasticStack& from, const ElasticStack& to, double k_least, double k_largest)
+double largest_change(const std::function<double(double k)>& from, const std::function<double(double k)>& to,
+                      double k_least, double k_largest)
 {
   constexpr double per_octave = 16.0;
   const int waves = std::max(1, static_cast<int>(std::ceil(per_octave * std::log2(k_largest / k_least))));
@@ -373,11 +374,18 @@ double change_of_compliance(const ElasticStack& from, const ElasticStack& to, do
   for (int n = 0; n <= waves; ++n)
   {
     const double k = k_least * std::pow(k_largest / k_least, static_cast<double>(n) / waves);
-    const double change = StackWave(to, k).compliance().normal / StackWave(from, k).compliance().normal - 1.0;
+    const double change = to(k) / from(k) - 1.0;
     if (std::abs(change) > std::abs(largest))
       largest = change;
   }
   return largest;
+}
+
+double change_of_compliance(const ElasticStack& from, const ElasticStack& to, double k_least, double k_largest)
+{
+  const auto of = [](const ElasticStack& stack)
+  { return [&stack](double k) { return StackWave(stack, k).compliance().normal; }; };
+  return largest_change(of(from), of(to), k_least, k_largest);
 }
 
 } // namespace green

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace brinell::green
@@ -114,12 +115,16 @@ private:
   std::vector<Layer> layers_; ///< the last one is the substrate, unless that is rigid
 };
 
-/// By how much the surface of one body gives way more to a pressure than that of another, relative to the other, where the difference
-/// is largest among the waves between two wavenumbers; negative where it gives way less.
+/// The largest relative change of a property of waves, to + or -, between two wavenumbers.
 ///
-/// Every pressure made of these waves does at most this share more work, or less, and so does the least complementary energy of a
-/// contact, which no admissible pressure undercuts.
+/// Of the compliance, every pressure made of these waves does at most this share more work, or less, and so does the least complementary
+/// energy of a contact, which no admissible pressure undercuts.
+/// @param from, to            the property at a wavenumber, > 0
 /// @param k_least, k_largest  [rad/m], > 0; 16 wavenumbers to the octave are compared
+[[nodiscard]] double largest_change(const std::function<double(double k)>& from,
+                                    const std::function<double(double k)>& to, double k_least, double k_largest);
+
+/// Change of the compliance: by how much more the surface of one body gives way to a pressure than that of another.
 /// @throws InputError if a thickness or a constant is not allowed
 [[nodiscard]] double change_of_compliance(const ElasticStack& from, const ElasticStack& to, double k_least,
                                           double k_largest);

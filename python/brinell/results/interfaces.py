@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
@@ -11,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brinell.case import ResolutionWarning
 from brinell.results.snapshots import BodyFields
 
 __all__ = ["Interface", "depths_of_interfaces", "interfaces_in"]
@@ -22,8 +25,9 @@ FloatArray = NDArray[np.float64]
 class Interface:
     """Tractions on one interface of a body in one state, at the cells of its surface; (ny, nx) arrays.
 
-    The cells of a run end at the interfaces and have values in their centres. The tractions, which are the same on both
-    sides of an interface, are extrapolated linearly to it from the two cells on each side, and the mean is taken.
+    Cells have values in their centres. The tractions, which are the same on both sides of an interface, are extrapolated
+    linearly to it from the two nearest layers of cells on each side, and the mean is taken. Cells of a body that can
+    yield, or whose fatigue is computed, end at the interfaces; of others a layer of cells that contains one is left out.
     """
 
     depth: float
@@ -57,28 +61,56 @@ def depths_of_interfaces(material: Mapping[str, Any]) -> list[float]:
 
 
 def interfaces_in(body: BodyFields, depths: Sequence[float]) -> list[Interface]:
-    """Tractions on the interfaces at these depths that lie between stored layers of cells.
+    """Tractions on the interfaces at these depths that have stored layers of cells on both sides.
+
+    Warns:
+        ResolutionWarning: an interface lies within the first layer of cells, or the last one, so that it is left out.
 
     Raises:
         KeyError: the stress of the body is not stored.
     """
-    dz = float(body.z[1] - body.z[0]) if len(body.z) > 1 else 0.0
-    top = float(body.z[0]) - 0.5 * dz if dz else 0.0
     found = []
     for depth in depths:
-        below = round((depth - top) / dz) if dz else 0
-        if not 0 < below < len(body.z):
+        sides = _Sides.of(body.z, depth)
+        if sides is None:
             continue
-        sides = [_from_both_sides(body.stress[name], below) for name in ("xz", "yz", "zz")]
-        difference = max(float(np.max(np.abs(above - under))) for above, under in sides)
-        xz, yz, zz = (0.5 * (above + under) for above, under in sides)
+        pairs = [sides.extrapolated(body.stress[name]) for name in ("xz", "yz", "zz")]
+        difference = max(float(np.max(np.abs(above - under))) for above, under in pairs)
+        xz, yz, zz = (0.5 * (above + under) for above, under in pairs)
         found.append(Interface(depth, body.x, body.y, xz, yz, zz, difference))
     return found
 
 
-def _from_both_sides(stress: FloatArray, below: int) -> tuple[FloatArray, FloatArray]:
-    """A component extrapolated from above and from below to the upper face of a layer of cells."""
-    first = max(below - 2, 0)
-    last = min(below + 1, len(stress) - 1)
-    above = stress[below - 1] + 0.5 * (stress[below - 1] - stress[first])
-    return above, stress[below] + 0.5 * (stress[below] - stress[last])
+@dataclass(frozen=True)
+class _Sides:
+    """The layers of cells next to an interface."""
+
+    above: int
+    below: int
+    past: tuple[float, float]
+    """From their centres to the interface, over the distance of two layers."""
+
+    @classmethod
+    def of(cls, z: FloatArray, depth: float) -> _Sides | None:
+        """Finds them; None with a warning if there are none on one side."""
+        if len(z) < 2:
+            return None
+        dz = float(z[1] - z[0])
+        place = (depth - float(z[0])) / dz + 0.5  # in layers, from the upper face of the first one
+        rounding = 1e-6
+        above, below = math.floor(place + rounding) - 1, math.ceil(place - rounding)
+        if above < 0 or below >= len(z):
+            warnings.warn(
+                f"the interface at {depth:g} m is left out: it lies within the first or beyond the last of the stored "
+                f"layers of cells, which are {dz:g} m thick; allowed: thinner cells (grid.spacing)",
+                ResolutionWarning,
+                stacklevel=4,
+            )
+            return None
+        return cls(above, below, (place - above - 0.5, below + 0.5 - place))
+
+    def extrapolated(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """A component at the interface, from above and from below."""
+        first, last = max(self.above - 1, 0), min(self.below + 1, len(stress) - 1)
+        above, below = stress[self.above], stress[self.below]
+        return above + self.past[0] * (above - stress[first]), below + self.past[1] * (below - stress[last])

@@ -337,8 +337,9 @@ void FatigueOfBody::summarise(Result& result) const
                            (j == surface.ny - 1 && !surface.is_periodic_y()) || i == 0 || i == surface.nx - 1};
       s.shares[static_cast<std::size_t>(result.fields[shakedown][cell])] += surface.copies_of_row(j);
     }
+  const int judged_layers = grid_.nz - layers_of_coats(body_.material, grid_);
   for (double& share : s.shares)
-    share /= static_cast<double>(end - first) * surface.ny * (grid_.nz - strips_of_coats() / rows);
+    share /= static_cast<double>(end - first) * surface.ny * judged_layers;
   s.orthogonal_shear = places[orthogonal];
   s.principal_shear = places[principal];
   s.plastic_strain = places[plastic_strain].value;

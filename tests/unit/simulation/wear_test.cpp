@@ -333,13 +333,19 @@ TEST(WearTest, CoatsThatAreWornThinAreTold)
     double share; ///< worn depth over the thickness of the coat
     std::vector<std::string> keys, texts;
   };
-  const auto told_of = [](double coefficient, double modulus, double thickness = 10e-6)
+  const auto told_of = [](double coefficient, double modulus, double thickness = 10e-6, double conductivity = 0.0)
   {
     SlidingCase c = ball();
     c.lower.material = {{210e9, 0.3}, {}};
     c.lower.material.layers = {{thickness, {modulus, 0.3}}};
     c.upper.material.hardening.reset();
     c.wear = {.lower = coefficient, .upper = 0.0};
+    if (conductivity > 0.0)
+    {
+      c.lower.material.thermal = c.upper.material.thermal = Thermal{50.0, 7800.0, 470.0, 0.0};
+      c.lower.material.layers.front().thermal = Thermal{conductivity, 2000.0, 900.0, 0.0};
+      c.speed = 1.0;
+    }
     const WornRun<SlidingCase> r = worn(c);
     Told told{r.history.back().max_worn_depth_lower / thickness, {}, {}};
     for (const quality::Warning& w : quality::judged(c, plan(c), r.summary).warnings)
@@ -363,6 +369,11 @@ TEST(WearTest, CoatsThatAreWornThinAreTold)
     EXPECT_NE(much.texts[0].find(word), std::string::npos) << much.texts[0];
   }
   EXPECT_EQ(told_of(3e-11, 211e9).keys, Keys{}); // nearly the substrate
+  const Told insulating = told_of(3e-11, 210.5e9, 10e-6, 1.0);
+  ASSERT_EQ(insulating.keys, Keys{"worn_coat"}); // of elastic constants that hardly matter
+  EXPECT_NE(insulating.texts[0].find("warms by up to"), std::string::npos) << insulating.texts[0];
+  EXPECT_NE(insulating.texts[0].find("less than it is computed"), std::string::npos) << insulating.texts[0];
+  EXPECT_EQ(insulating.texts[0].find("gives way"), std::string::npos) << insulating.texts[0];
   const Told all = told_of(1e-9, 420e9, 4e-6);
   EXPECT_GT(all.share, 1.0);
   EXPECT_EQ(all.keys, Keys{"worn_through"});
