@@ -348,10 +348,16 @@ RunReport run_shared(const io::Case& c, const io::ScenarioPlan& plan, const RunO
 namespace
 {
 
-void require_device(const io::Case& c, const io::ScenarioPlan& plan, bool is_shared)
+/// The case for the processor where the device that was found for `auto` has too little memory.
+/// @throws InputError, DeviceError
+std::optional<io::Case> passing_over_device(const io::Case& c, const io::ScenarioPlan& plan, bool is_shared)
 {
   const auto& p = std::visit([](const auto& any) -> const simulation::Plan& { return any; }, plan);
-  std::visit([&](const auto& scenario) { simulation::require_device(p, scenario, is_shared); }, c.scenario);
+  if (std::visit([&](const auto& scenario) { return simulation::has_device_room(p, scenario, is_shared); }, c.scenario))
+    return std::nullopt;
+  io::Case on_processor = c;
+  std::visit([](auto& scenario) { scenario.solver.device = elastoplastic::DeviceChoice::cpu; }, on_processor.scenario);
+  return on_processor;
 }
 
 } // namespace
@@ -363,7 +369,8 @@ std::string run_in_memory(const io::Case& c, int threads, const RunMonitor& moni
                      "with a folder, or no solver.accuracy");
   const Threads guard(threads);
   const io::ScenarioPlan plan = io::plan_case(c);
-  require_device(c, plan, false);
+  if (const auto on_processor = passing_over_device(c, plan, false))
+    return run_in_memory(*on_processor, threads, monitor);
   io::ResultImage results(c, io::stored_parts(c, plan));
   std::visit([&](const auto& scenario)
              { (void)simulate(scenario, c, plan, results, monitor, {}, std::nullopt, nullptr); },
@@ -375,7 +382,8 @@ RunReport run_case(const io::Case& c, const io::ScenarioPlan& plan, const RunOpt
                    const RunMonitor& monitor)
 {
   const Threads threads(options.threads);
-  require_device(c, plan, options.ranks && !options.ranks->is_alone());
+  if (const auto on_processor = passing_over_device(c, plan, options.ranks && !options.ranks->is_alone()))
+    return run_case(*on_processor, plan, options, monitor);
   if (options.ranks && !options.ranks->is_alone())
     return run_shared(c, plan, options, monitor);
   return c.accuracy ? run_series(c, plan, options, monitor)

@@ -97,8 +97,9 @@ struct DeviceMemory
 /// none: nothing of the case is on a device
 [[nodiscard]] std::optional<DeviceMemory> memory_on_device(const Plan& plan, const PairCase& c);
 /// Opens the device of a case once, so that what it lacks is told before a run begins.
+/// @returns whether the case fits into its memory; false only of a device that may be passed over (`automatic`)
 /// @throws InputError, DeviceError
-void require_device(const Plan& plan, const PairCase& c, bool is_shared);
+[[nodiscard]] bool has_device_room(const Plan& plan, const PairCase& c, bool is_shared);
 
 /// Peak memory of the first of ranks that share the bodies of a case, which needs most [bytes]; with one rank that of a run.
 [[nodiscard]] double memory_of_rank(const Plan& plan, const PairCase& c, int ranks);

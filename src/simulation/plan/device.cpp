@@ -49,16 +49,19 @@ std::shared_ptr<const elastoplastic::Device> device_of(DeviceChoice choice, cons
   return device::opened(choice);
 }
 
-void require_device(const Plan& plan, const PairCase& c, bool is_shared)
+bool has_device_room(const Plan& plan, const PairCase& c, bool is_shared)
 {
   const auto device = device_of(c.solver.device, c.lower.material, c.upper.material,
                                 !c.lower.inclusions.empty() || !c.upper.inclusions.empty(), is_shared);
   const auto needed = device ? memory_on_device(plan, c) : std::nullopt;
-  if (needed && !(needed->arrays <= device->free_memory()))
-    throw DeviceError(
-        fmt::format("the case needs {:.3g} GB of its memory, and {} has {:.3g} GB left; allowed: larger cells, "
-                    "or a smaller interference, load or track",
-                    1e-9 * needed->arrays, device->name(), 1e-9 * device->free_memory()));
+  if (!needed || needed->arrays + needed->buffers <= device->free_memory())
+    return true;
+  if (c.solver.device == DeviceChoice::automatic)
+    return false;
+  throw DeviceError(
+      fmt::format("the case needs {:.3g} GB of its memory, and {} has {:.3g} GB left; allowed: larger cells, "
+                  "or a smaller interference, load or track",
+                  1e-9 * (needed->arrays + needed->buffers), device->name(), 1e-9 * device->free_memory()));
 }
 
 std::optional<DeviceMemory> memory_on_device(const Plan& plan, const PairCase& c)

@@ -195,8 +195,7 @@ private:
     found_.cells = owners.size();
     found_.layers = static_cast<int>(owners.back().first / grid_.surface.size()) + 1;
     if (found_.has_own_strain)
-      found_.at_rest =
-          ratio_at_rest(all, grid_, body_.material.elastic, constitutive::initial_yield_stress(body_.material.law()));
+      found_.at_rest = ratio_at_rest(all, grid_, body_.material);
   }
 
   const ShapedBody& body_;

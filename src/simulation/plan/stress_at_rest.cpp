@@ -76,7 +76,7 @@ struct Box
 } // namespace
 
 double ratio_at_rest(const std::vector<elastoplastic::Inclusion>& inclusions, const VolumeGrid& grid,
-                     const Elastic& elastic, double yield_stress)
+                     const constitutive::Material& material)
 {
   constexpr double tolerance = 1e-3;
   constexpr int most_iterations = 200;
@@ -84,7 +84,12 @@ double ratio_at_rest(const std::vector<elastoplastic::Inclusion>& inclusions, co
   const VolumeGrid part = box.grid(grid);
   if (part.size() > most_cells)
     return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> strength(part.size(), yield_stress);
+  std::vector<double> strength(part.size());
+  for (std::size_t cell = 0; cell < part.size(); ++cell)
+  {
+    const double depth = (static_cast<double>(cell / part.surface.size()) + 0.5) * grid.dz; // from the surface on
+    strength[cell] = constitutive::initial_yield_stress(material.law()) * material.yield_factor.at(depth, 1.0);
+  }
   std::vector<halfspace::Inclusion> moved;
   moved.reserve(inclusions.size());
   for (const elastoplastic::Inclusion& inclusion : inclusions)
@@ -97,7 +102,7 @@ double ratio_at_rest(const std::vector<elastoplastic::Inclusion>& inclusions, co
       strength[moved.back().cells.back()] *= inclusion.yield_factor;
     }
   }
-  const halfspace::HalfSpace body(part, elastic);
+  const halfspace::HalfSpace body(part, material.elastic);
   halfspace::Inclusions embedded(body, moved);
   halfspace::InclusionField stress = embedded.make_field(), strain = stress;
   embedded.stress(embedded.own_strain(), stress);

@@ -11,8 +11,7 @@ namespace brinell::simulation
 /// Largest ratio of the von Mises stress to the yield stress that the own strain of inclusions causes in a body before any load, in and around them.
 /// NaN: it would take too long to find in a plan.
 /// @param inclusions    of the body, in cells of its grid
-/// @param yield_stress  of the body [Pa]
 [[nodiscard]] double ratio_at_rest(const std::vector<elastoplastic::Inclusion>& inclusions, const VolumeGrid& grid,
-                                   const Elastic& elastic, double yield_stress);
+                                   const constitutive::Material& material);
 
 } // namespace brinell::simulation

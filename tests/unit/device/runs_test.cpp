@@ -166,11 +166,11 @@ TEST(RunOnDevice, IsRefusedByName)
       << text;
 }
 
-void require(const io::Case& c)
+bool has_room(const io::Case& c)
 {
   const io::ScenarioPlan plan = io::plan_case(c);
   const auto& p = std::visit([](const auto& any) -> const simulation::Plan& { return any; }, plan);
-  std::visit([&](const auto& scenario) { simulation::require_device(p, scenario, false); }, c.scenario);
+  return std::visit([&](const auto& scenario) { return simulation::has_device_room(p, scenario, false); }, c.scenario);
 }
 
 TEST(RunOnDevice, WithoutCuda)
@@ -180,7 +180,7 @@ TEST(RunOnDevice, WithoutCuda)
   const std::string report = io::check_report(c, io::plan_case(c));
   EXPECT_NE(report.find("# Device: cuda, "), std::string::npos);
   EXPECT_NE(report.find("built without CUDA and cannot run the case"), std::string::npos);
-  const std::string text = refusal([&] { require(c); });
+  const std::string text = refusal([&] { (void)has_room(c); });
   EXPECT_NE(text.find("solver.device = cuda, and this brinell has been built without CUDA"), std::string::npos) << text;
   EXPECT_EQ(opened(DeviceChoice::automatic), nullptr);
 }
@@ -217,13 +217,15 @@ TEST(RunOnDevice, TellsOfLittleMemoryBeforeItBegins)
   std::string text;
   try
   {
-    require(case_of("indentation", {"solver.device=cuda"}));
+    (void)has_room(case_of("indentation", {"solver.device=cuda"}));
   }
   catch (const DeviceError& error)
   {
     text = error.what();
   }
+  EXPECT_FALSE(has_room(case_of("indentation", {"solver.device=auto"})));
   offer_cuda({});
+  EXPECT_TRUE(has_room(case_of("indentation", {"solver.device=auto"})));
   EXPECT_NE(text.find("GB of its memory, and a small GPU has 0.001 GB left"), std::string::npos) << text;
 }
 

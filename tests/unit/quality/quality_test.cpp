@@ -98,6 +98,10 @@ TEST(Quality, MisfitsThatYieldByThemselvesAreTold)
   EXPECT_EQ(before(c), Keys{});
   c.lower.inclusions.front().own.dilatation *= 1.02;
   EXPECT_EQ(before(c), Keys{"yields_at_rest"});
+  c.lower.material.yield_factor = constitutive::DepthProfile({0.0}, {1.05}); // of a hardened body
+  EXPECT_EQ(before(c), Keys{});
+  c.lower.inclusions.front().own.dilatation *= 1.05;
+  EXPECT_EQ(before(c), Keys{"yields_at_rest"});
 }
 
 TEST(Quality, PlaneEndsOfARollerHaveNoExpectedErrors)
