@@ -46,8 +46,8 @@ _BYTES_OF_RESPONSE, _BYTES_OF_MEMORY, _BYTES_OF_FIELD = 130, 1500, 5000
 """Memory per cell [B] of an operator, of the state of all waves (without most images), and of that state with fields in
 the body."""
 _BYTES_OF_EXCESS, _BYTES_OF_FINE_EXCESS = 10_000, 90_000
-"""Memory per cell [B] that the response of a coated body takes while it is found; where its first layer is thinner than a
-cell."""
+"""Memory per cell [B] that the response of a coated body takes while it is found; and where its first layer is thinner
+than a cell."""
 _BYTES_OF_STEADY_LAYER = 500
 """Memory per cell and depth [B]: seven operators, and one table for each of them during the setup."""
 

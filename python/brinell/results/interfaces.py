@@ -25,9 +25,10 @@ FloatArray = NDArray[np.float64]
 class Interface:
     """Tractions on one interface of a body in one state, at the cells of its surface; (ny, nx) arrays.
 
-    Cells have values in their centres. The tractions, which are the same on both sides of an interface, are extrapolated
-    linearly to it from the two nearest layers of cells on each side, and the mean is taken. Cells of a body that can
-    yield, or whose fatigue is computed, end at the interfaces; of others a layer of cells that contains one is left out.
+    Cells have values in their centres. The tractions, which are the same on both sides of an interface, are
+    extrapolated linearly to it from the two nearest layers of cells on each side, and the mean is taken. Cells of a
+    body that can yield, or whose fatigue is computed, end at the interfaces; of others, a layer of cells that contains
+    an interface is left out.
     """
 
     depth: float
