@@ -126,13 +126,13 @@ double longer_side(const SurfaceGrid& grid)
 }
 
 /// Cells of the excess: those between any two cells of a grid, along each axis by so many smaller ones.
-struct Offsets
+struct ExcessCells
 {
   SurfaceGrid grid;
   int finer, finer_y;
 };
 
-Offsets offsets_of(const SurfaceGrid& grid, const ThermalStack& thermal, bool moves_across)
+ExcessCells offsets_of(const SurfaceGrid& grid, const ThermalStack& thermal, bool moves_across)
 {
   // The shortest waves of the cells should not reach the next layer.
   const int finer = thermal.thickness_of_first() < longer_side(grid) ? 3 : 1, finer_y = grid.ny == 1 ? 1 : finer;
@@ -180,7 +180,7 @@ double memory_of_response(const SurfaceGrid& grid, const ThermalStack& thermal, 
 {
   if (thermal.is_homogeneous() || std::isinf(thermal.thickness_of_first()))
     return 0.0;
-  const Offsets offsets = offsets_of(grid, thermal, false);
+  const ExcessCells offsets = offsets_of(grid, thermal, false);
   return memory_of_heat(offsets.grid, HeatCoat::of_memory(thermal), {duration, duration}, wanted_of_excess(thermal),
                         false);
 }
