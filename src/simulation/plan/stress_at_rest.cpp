@@ -87,7 +87,8 @@ double ratio_at_rest(const std::vector<elastoplastic::Inclusion>& inclusions, co
   std::vector<double> strength(part.size());
   for (std::size_t cell = 0; cell < part.size(); ++cell)
   {
-    const double depth = (static_cast<double>(cell / part.surface.size()) + 0.5) * grid.dz; // from the surface on
+    const std::size_t layer = cell / part.surface.size(); // from the surface on
+    const double depth = (static_cast<double>(layer) + 0.5) * grid.dz;
     strength[cell] = constitutive::initial_yield_stress(material.law()) * material.yield_factor.at(depth, 1.0);
   }
   std::vector<halfspace::Inclusion> moved;
