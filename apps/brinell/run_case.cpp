@@ -10,6 +10,7 @@
 #include "brinell/io/summary_json.hpp"
 #include "brinell/io/versions.hpp"
 #include "brinell/quality/quality.hpp"
+#include "brinell/simulation/forecast.hpp"
 #include "brinell/simulation/run.hpp"
 #include "following.hpp"
 
